@@ -18,11 +18,11 @@
 #   make install     PREFIX=/usr/local DESTDIR=
 #   make uninstall   the same
 #   make deb         Debian packages, in target/deb
-#   make header      writes include/libvides.h anew
+#   make header      rewrites include/libvides.h
 #   make reference   pages of the C interface, target/reference: HTML and section 3
 #   make gallery     eight flights with pictures and pages that play them, target/gallery
 #   make site        the documents as pages, with gallery and C reference, target/site
-#   make completions writes what shells complete, completions/, anew
+#   make completions rewrites the shell completions, completions/
 #   make clean
 #
 # Each target installs by itself what it misses (mk/need.sh).
@@ -62,7 +62,7 @@ LIB = $(CARGO_TARGET_DIR)/c
 DEMO = $(CARGO_TARGET_DIR)/demo
 # Not empty: what is played anew in folders of its own is left out.
 SHORT =
-# A mesh that nobody has planned a flight for.
+# A mesh without a flight.
 SPIDER = /usr/share/assimp/models/OBJ/spider.obj
 TOOLS = $(CARGO_TARGET_DIR)/tools
 
@@ -220,7 +220,7 @@ check-linking: libs
 
 # Calls as no host should make them; and a library that panics when it is told
 # to, and says where it is. That one is built with what the Rust tests are built
-# with, and nobody installs it.
+# with, and it is not installed.
 check-calls: libs
 	@mk/need.sh Xvfb=xvfb python3=python3 /usr/include/X11/Xlib.h=libx11-dev
 	$(ONCE)calls $(WITH) tests/calls -- tests/calls/run.sh $(LIB)

@@ -17,7 +17,7 @@ use vides::path::{
 };
 use vides::scene::{Camera, Channel, Interpolation, Kind, Node, NodeState, Scene, Track, Warnings};
 
-/// About so many poses, whatever the number of points.
+/// About this number of poses, whatever the number of points.
 const POSES: f64 = 1e6;
 
 fn point(i: usize) -> SupportPoint {

@@ -4,7 +4,7 @@
        cc -O2 -Iinclude -o list benches/list.c -Ltarget/c -l:libvides.a -lm
        ./list [runs]
 
-   Each measurement is made in a process of its own, so that every malloc meets
+   Each measurement is made in a separate process, so that every malloc meets
    fresh memory; of each kind the fastest run counts. The path is that of
    benches/engine.rs. */
 #define _POSIX_C_SOURCE 200809L
@@ -121,7 +121,7 @@ static double time_loop(void)
     return now() - begin;
 }
 
-/* Seconds that `work` says it took, in a process of its own. */
+/* Seconds that `work` reports, in a separate process. */
 static double apart(double (*work)(void))
 {
     int ends[2], status;

@@ -41,7 +41,7 @@ impl Random {
     }
 }
 
-/// A ball of radius 0.4 of about so many triangles.
+/// A ball of radius 0.4 with about this number of triangles.
 fn smooth(count: usize) -> Mesh {
     let rings = ((count as f64 / 4.0).sqrt().round() as u32).max(2);
     let around = ((count as f64 / f64::from(2 * (rings - 1))).round() as u32).max(3);

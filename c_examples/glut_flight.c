@@ -4,7 +4,7 @@
  *     cc -o glut_flight glut_flight.c -lvides -lm -lglut -lGL
  *
  * The picture follows the editor beside it: what is dragged, scrubbed or played there
- * is seen here at once. Dragging here leads a camera of its own about the object; the
+ * is seen here at once. Dragging here moves a separate camera around the object; the
  * editor shows it as a ghost and takes it over into the path (Ctrl-Enter). Escape ends.
  */
 #include <math.h>

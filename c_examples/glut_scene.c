@@ -356,7 +356,7 @@ static void display(void)
     glutSwapBuffers();
 }
 
-/* Both pictures anew: GLUT draws its window when that is seen, the editor's does not wait. */
+/* Redraws both pictures: GLUT draws its window once it is visible, the editor at once. */
 static void redraw(void)
 {
     Display *server = glXGetCurrentDisplay();

@@ -38,7 +38,7 @@ int main(int argc, char **argv)
         return 1;
     }
 
-    first.number = -1;          /* ... and this tells that no list hangs there yet */
+    first.number = -1;          /* ... and this says that there is no list yet */
     if (v_path_to_list(path, &first) != V_OK) {
         fprintf(stderr, "headless: %s\n", v_last_error());
         v_path_free(path);

@@ -4,7 +4,7 @@
  *
  *     cc -o motif_flight motif_flight.c -lvides -lm -lXm -lXt -lX11
  *
- *     motif_flight             the editor has a window of its own
+ *     motif_flight             the editor has its own window
  *     motif_flight embedded    the editor is a part of this program's window
  *
  * Opening the editor leaves the picture as it is: the path begins with its view. Dragging
@@ -128,7 +128,7 @@ static void input(Widget widget, XtPointer data, XEvent *event, Boolean *further
     }
 }
 
-/* Opens the editor: in a window of its own, or in a widget that is there for it. */
+/* Opens the editor: in its own window, or in a widget made for it. */
 static int open_editor(Widget part)
 {
     V_EDITOR_OPTIONS options;

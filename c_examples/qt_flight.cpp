@@ -4,7 +4,7 @@
  *     c++ -fPIC -o qt_flight qt_flight.cpp $(pkg-config --cflags --libs vides Qt6Widgets) -lm
  *
  * The picture follows the editor beside it: what is dragged, scrubbed or played there
- * is seen here at once. Dragging here leads a camera of its own about the object; the
+ * is seen here at once. Dragging here moves a separate camera around the object; the
  * editor shows it as a ghost and takes it over into the path (Ctrl-Enter). Escape ends.
  */
 #include <cmath>

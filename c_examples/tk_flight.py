@@ -1,7 +1,7 @@
 """tk_flight: flies the camera path in a window of Tk, by Python's own ctypes.
 
 The picture follows the editor beside it: what is dragged, scrubbed or played there is seen
-here at once. Dragging here leads a camera of its own about the object; the editor shows it
+here at once. Dragging here moves a separate camera around the object; the editor shows it
 as a ghost and takes it over into the path (Ctrl-Enter). Escape ends.
 """
 
@@ -64,7 +64,7 @@ class Flight:
         self.canvas.pack()
         self.canvas.bind("<B1-Motion>", self.drag)
         self.top.bind("<Escape>", lambda event: self.top.destroy())
-        # ctypes forgets a function that nobody holds: it must live as long as the editor.
+        # ctypes frees a function without references: keep one as long as the editor lives.
         self.on_view = OnView(self.follow)
         options = Options(size=ctypes.sizeof(Options), title=b"tk_flight", host_name=b"tk_flight",
                           object=ctypes.pointer(PYRAMID), on_view=self.on_view)

@@ -4,7 +4,7 @@
  *     cc -o two_windows two_windows.c -lvides -lm
  *
  * Every v_haupt() opens one more window that knows nothing of the others. One
- * function may serve them all: the list that it is given tells which one it is.
+ * function may serve them all: the list that it gets identifies the window.
  */
 #include <stdio.h>
 

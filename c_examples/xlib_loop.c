@@ -4,7 +4,7 @@
  *     cc -o xlib_loop xlib_loop.c -lvides -lm -lX11
  *
  * A click into the window opens an editor, a key ends the program. The window
- * tells how many poses the last hand-over brought. Where it would block in
+ * prints the number of poses of the last hand-over. Where it would block in
  * XNextEvent(), it waits for the library's descriptor, too.
  */
 #include <poll.h>

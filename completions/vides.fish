@@ -60,7 +60,7 @@ json\t'Title, frames per second and the poses, all digits'"
 complete -c vides -n "__fish_vides_using_subcommand sample" -l digits -d 'Decimals of the format ascii, at most 30 [default: 4]' -r
 complete -c vides -n "__fish_vides_using_subcommand sample" -l node -d 'A node of a scene, at every frame: cameras and lights as poses, others as matrices (16 numbers, column by column)' -r
 complete -c vides -n "__fish_vides_using_subcommand sample" -l interpolation -d 'A function of the type V_INTERPOLATE for the interpolation "host:NAME" of a scene\'s tracks' -r
-complete -c vides -n "__fish_vides_using_subcommand sample" -l move-frames -d 'Frames per half size of the space at speed 50' -r
+complete -c vides -n "__fish_vides_using_subcommand sample" -l move-frames -d 'Frames for moving by half the edge of the space, at speed 50' -r
 complete -c vides -n "__fish_vides_using_subcommand sample" -l turn-frames -d 'Frames for a turn of 180 degrees at speed 50' -r
 complete -c vides -n "__fish_vides_using_subcommand sample" -l zoom-frames -d 'Frames for a zoom from 1 to 100 mm at speed 50' -r
 complete -c vides -n "__fish_vides_using_subcommand sample" -l roll-frames -d 'Frames for a roll of 90 degrees at speed 50' -r
@@ -158,7 +158,7 @@ complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcom
 complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from orbit" -l zoom -d 'Focal length [default: 24]' -r
 complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from orbit" -l seconds -d 'How long it takes; 0: by its length [default: 10]' -r
 complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from orbit" -l fps -d 'Frames in a second [default: 25]' -r
-complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from orbit" -l up -d 'Which axis stands upright [default: that of --object, else y]' -r -f -a "y\t''
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from orbit" -l up -d 'Which axis is up [default: that of --object, else y]' -r -f -a "y\t''
 z\t''"
 complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from orbit" -l object -d 'Goes round this object: a mesh (.obj, .ply, .stl, .gltf, .glb) with a space around it, or that of a .vid file in its space' -r -F
 complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from orbit" -s o -l output -d 'Where the path goes; - is standard output [default: -]' -r -F
@@ -174,7 +174,7 @@ complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcom
 complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from spiral" -l end-radius -d 'The radius at the end [default: 0.5]' -r
 complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from spiral" -l end-height -d 'The height at the end [default: 1]' -r
 complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from spiral" -l fps -d 'Frames in a second [default: 25]' -r
-complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from spiral" -l up -d 'Which axis stands upright [default: that of --object, else y]' -r -f -a "y\t''
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from spiral" -l up -d 'Which axis is up [default: that of --object, else y]' -r -f -a "y\t''
 z\t''"
 complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from spiral" -l object -d 'Goes round this object: a mesh (.obj, .ply, .stl, .gltf, .glb) with a space around it, or that of a .vid file in its space' -r -F
 complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from spiral" -s o -l output -d 'Where the path goes; - is standard output [default: -]' -r -F
@@ -188,7 +188,7 @@ complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcom
 complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from arc" -l zoom -d 'Focal length [default: 24]' -r
 complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from arc" -l seconds -d 'How long it takes; 0: by its length [default: 10]' -r
 complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from arc" -l fps -d 'Frames in a second [default: 25]' -r
-complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from arc" -l up -d 'Which axis stands upright [default: that of --object, else y]' -r -f -a "y\t''
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from arc" -l up -d 'Which axis is up [default: that of --object, else y]' -r -f -a "y\t''
 z\t''"
 complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from arc" -l object -d 'Goes round this object: a mesh (.obj, .ply, .stl, .gltf, .glb) with a space around it, or that of a .vid file in its space' -r -F
 complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from arc" -s o -l output -d 'Where the path goes; - is standard output [default: -]' -r -F
@@ -202,7 +202,7 @@ complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcom
 complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from flyby" -l zoom -d 'Focal length [default: 24]' -r
 complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from flyby" -l seconds -d 'How long it takes; 0: by its length [default: 10]' -r
 complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from flyby" -l fps -d 'Frames in a second [default: 25]' -r
-complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from flyby" -l up -d 'Which axis stands upright [default: that of --object, else y]' -r -f -a "y\t''
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from flyby" -l up -d 'Which axis is up [default: that of --object, else y]' -r -f -a "y\t''
 z\t''"
 complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from flyby" -l object -d 'Goes round this object: a mesh (.obj, .ply, .stl, .gltf, .glb) with a space around it, or that of a .vid file in its space' -r -F
 complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from flyby" -s o -l output -d 'Where the path goes; - is standard output [default: -]' -r -F
@@ -216,7 +216,7 @@ complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcom
 complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from approach" -l zoom -d 'Focal length [default: 24]' -r
 complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from approach" -l seconds -d 'How long it takes; 0: by its length [default: 10]' -r
 complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from approach" -l fps -d 'Frames in a second [default: 25]' -r
-complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from approach" -l up -d 'Which axis stands upright [default: that of --object, else y]' -r -f -a "y\t''
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from approach" -l up -d 'Which axis is up [default: that of --object, else y]' -r -f -a "y\t''
 z\t''"
 complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from approach" -l object -d 'Goes round this object: a mesh (.obj, .ply, .stl, .gltf, .glb) with a space around it, or that of a .vid file in its space' -r -F
 complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from approach" -s o -l output -d 'Where the path goes; - is standard output [default: -]' -r -F
@@ -230,7 +230,7 @@ complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcom
 complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from dolly-zoom" -l zoom -d 'Focal length at the beginning [default: 60]' -r
 complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from dolly-zoom" -l seconds -d 'How long it takes; 0: by its length [default: 10]' -r
 complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from dolly-zoom" -l fps -d 'Frames in a second [default: 25]' -r
-complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from dolly-zoom" -l up -d 'Which axis stands upright [default: that of --object, else y]' -r -f -a "y\t''
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from dolly-zoom" -l up -d 'Which axis is up [default: that of --object, else y]' -r -f -a "y\t''
 z\t''"
 complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from dolly-zoom" -l object -d 'Goes round this object: a mesh (.obj, .ply, .stl, .gltf, .glb) with a space around it, or that of a .vid file in its space' -r -F
 complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from dolly-zoom" -s o -l output -d 'Where the path goes; - is standard output [default: -]' -r -F
@@ -244,7 +244,7 @@ complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcom
 complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from crane" -l zoom -d 'Focal length [default: 24]' -r
 complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from crane" -l seconds -d 'How long it takes; 0: by its length [default: 10]' -r
 complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from crane" -l fps -d 'Frames in a second [default: 25]' -r
-complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from crane" -l up -d 'Which axis stands upright [default: that of --object, else y]' -r -f -a "y\t''
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from crane" -l up -d 'Which axis is up [default: that of --object, else y]' -r -f -a "y\t''
 z\t''"
 complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from crane" -l object -d 'Goes round this object: a mesh (.obj, .ply, .stl, .gltf, .glb) with a space around it, or that of a .vid file in its space' -r -F
 complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from crane" -s o -l output -d 'Where the path goes; - is standard output [default: -]' -r -F
@@ -257,7 +257,7 @@ complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcom
 complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from pan" -l zoom -d 'Focal length [default: 24]' -r
 complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from pan" -l seconds -d 'How long it takes; 0: by its length [default: 10]' -r
 complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from pan" -l fps -d 'Frames in a second [default: 25]' -r
-complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from pan" -l up -d 'Which axis stands upright [default: that of --object, else y]' -r -f -a "y\t''
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from pan" -l up -d 'Which axis is up [default: that of --object, else y]' -r -f -a "y\t''
 z\t''"
 complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from pan" -l object -d 'Goes round this object: a mesh (.obj, .ply, .stl, .gltf, .glb) with a space around it, or that of a .vid file in its space' -r -F
 complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from pan" -s o -l output -d 'Where the path goes; - is standard output [default: -]' -r -F
@@ -271,7 +271,7 @@ complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcom
 complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from figure-eight" -l zoom -d 'Focal length [default: 24]' -r
 complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from figure-eight" -l seconds -d 'How long it takes; 0: by its length [default: 10]' -r
 complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from figure-eight" -l fps -d 'Frames in a second [default: 25]' -r
-complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from figure-eight" -l up -d 'Which axis stands upright [default: that of --object, else y]' -r -f -a "y\t''
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from figure-eight" -l up -d 'Which axis is up [default: that of --object, else y]' -r -f -a "y\t''
 z\t''"
 complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from figure-eight" -l object -d 'Goes round this object: a mesh (.obj, .ply, .stl, .gltf, .glb) with a space around it, or that of a .vid file in its space' -r -F
 complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from figure-eight" -s o -l output -d 'Where the path goes; - is standard output [default: -]' -r -F

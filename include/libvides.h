@@ -587,7 +587,7 @@ struct v_finding {
 typedef struct v_finding V_FINDING;
 
 /**
- * Limits of a speed profile; 0: no limit. Lengths are in half sizes of the space
+ * Limits of a speed profile; 0: no limit. Lengths are in units of the space's half_size
  * (v_path_set_space()), as in v_path_check(). v_limits_init() fills in the defaults of
  * v_path_check().
  *
@@ -596,11 +596,11 @@ typedef struct v_finding V_FINDING;
 struct v_limits {
     /** sizeof (V_LIMITS) */
     size_t size;
-    /** half sizes per second */
+    /** length per second */
     double speed;
-    /** half sizes per second squared, in any direction */
+    /** length per second squared, in any direction */
     double acceleration;
-    /** half sizes per second cubed, the third difference at whole frames */
+    /** per second cubed, the third difference at whole frames */
     double jerk;
     /** degrees per second */
     double turning;
@@ -742,7 +742,7 @@ struct v_editor_options {
     void (*on_change)(V_EDITOR *editor, void *user);
     /**
      * called when the user adds your program's view to the path (Ctrl-Enter): fill in
-     * your camera and return 1, or return 0 if there is none. vpn and vup have any
+     * your camera and return 1, or return 0 if you have no camera. vpn and vup have any
      * length but 0 and are not parallel. NULL: the window uses the view of
      * v_editor_set_view()
      */
@@ -865,30 +865,26 @@ extern "C" {
  * sentence says it; frames count from 1. The text belongs to the library and is valid
  * until the same thread's next call of any function except this one, v_last_warning(),
  * v_strerror() and v_version().
- * Any thread; from callbacks too.
  */
 const char *v_last_error(void);
 
 /**
  * Returns the warnings of the calling thread's last call that can warn: sentences in
- * English, UTF-8, "" if there are none. Never NULL. Comments of functions that can
+ * English, UTF-8, or "". Never NULL. Comments of functions that can
  * warn mention it. If the text would exceed 1023 bytes, the sentence that does not fit
  * is shortened in the middle. The text belongs to the library and is valid until the
  * same thread's next call of a function that can warn.
- * Any thread; from callbacks too.
  */
 const char *v_last_warning(void);
 
 /**
  * Returns the meaning of a status, in English. Never NULL; the text is constant.
- * Any thread; from callbacks too.
  */
 const char *v_strerror(int status);
 
 /**
  * Returns the version of the library in use, as "1.0.0". Never NULL; the text is
  * constant.
- * Any thread; from callbacks too.
  */
 const char *v_version(void);
 
@@ -909,7 +905,7 @@ const char *v_version(void);
  *     are fixed in this window: those of a file that is loaded are ignored
  * interpol_liste  first element of the list that receives the poses, see V_KAMERAPAR.
  *     It is yours and must outlive the window; may be NULL. Its number is read at each
- *     hand-over: < 0 means that there is no data (any more). Several windows may share
+ *     hand-over: < 0 means no data (any more). Several windows may share
  *     an element
  * anzahl_objekt, objekt  points of an object to show, copied during the call; NULL or
  *     a number <= 0 for none. The new path looks at it
@@ -987,7 +983,7 @@ int v_dispatch(void);
  * Serves the windows until the last one is closed, sleeping in between; for programs
  * that do nothing else meanwhile. Returns at once if there are no windows.
  * The thread that opens the windows. V_ERR_BUSY inside a callback; V_ERR_DISPLAY if a
- * window was destroyed or its X server went away, once the others are closed too;
+ * window was destroyed or its X server went away, after all windows have closed;
  * V_ERR_LIMIT without descriptors.
  */
 int v_main_loop(void);
@@ -1007,13 +1003,13 @@ int v_set_app_context(void *app_context);
 /**
  * Makes a new path: two points at (-0.6, 0.2, 0.8) and (0.6, 0.2, 0.8), each with one
  * orientation as v_orientation_init() fills it in. Free *path with v_path_free().
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_MEMORY, V_ERR_LIMIT.
+ * V_ERR_NULL, V_ERR_MEMORY, V_ERR_LIMIT.
  */
 int v_path_new(V_PATH **path);
 
 /**
  * Makes an independent copy of a path. Free *copy with v_path_free().
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_MEMORY, V_ERR_LIMIT.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_MEMORY, V_ERR_LIMIT.
  */
 int v_path_clone(const V_PATH *path,
                  V_PATH **copy);
@@ -1022,7 +1018,6 @@ int v_path_clone(const V_PATH *path,
  * Frees a path and makes its handle invalid. NULL is ignored; an invalid handle only
  * sets v_last_error(). If another thread is using the path, its call completes
  * normally.
- * Any thread; from callbacks too.
  */
 void v_path_free(V_PATH *path);
 
@@ -1030,10 +1025,9 @@ void v_path_free(V_PATH *path);
  * Reads a path from a .vid file. From a scene (see v_scene_load()) it reads the path
  * of the camera shown; saving that to the same file would lose the rest of the scene.
  * file is a name as for open(). Free *path with v_path_free().
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_IO, V_ERR_FORMAT (with line and
- * reason in v_last_error()), V_ERR_ARGUMENT (no camera, or it follows no path),
- * V_ERR_MEMORY, V_ERR_LIMIT. If memory runs out while the text itself is read or
- * parsed, the program ends.
+ * V_ERR_NULL, V_ERR_IO, V_ERR_FORMAT (with line and reason in v_last_error()),
+ * V_ERR_ARGUMENT (no camera, or it follows no path), V_ERR_MEMORY, V_ERR_LIMIT. If
+ * memory runs out while the text itself is read or parsed, the program ends.
  */
 int v_path_load(const char *file,
                 V_PATH **path);
@@ -1041,9 +1035,8 @@ int v_path_load(const char *file,
 /**
  * Reads a path from the text of a .vid file in memory, like v_path_load(). text has
  * size bytes of UTF-8 and need not be zero-terminated. Free *path with v_path_free().
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_FORMAT (with line and reason in
- * v_last_error()), V_ERR_ARGUMENT (a scene without such a camera), V_ERR_MEMORY (but
- * see v_path_load()), V_ERR_LIMIT.
+ * V_ERR_NULL, V_ERR_FORMAT (with line and reason in v_last_error()), V_ERR_ARGUMENT (a
+ * scene without such a camera), V_ERR_MEMORY (but see v_path_load()), V_ERR_LIMIT.
  */
 int v_path_load_from_memory(const char *text,
                             size_t size,
@@ -1053,9 +1046,8 @@ int v_path_load_from_memory(const char *text,
  * Saves a path to a .vid file. The file is replaced atomically; when the call returns
  * V_OK, the new contents are on the disk. Symbolic links are followed and permissions
  * kept.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO, V_ERR_MEMORY. If
- * memory runs out while the file is opened or written, the program may end; the old
- * file is kept.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO, V_ERR_MEMORY. If memory runs out while the file
+ * is opened or written, the program may end; the old file is kept.
  */
 int v_path_save(const V_PATH *path,
                 const char *file);
@@ -1065,8 +1057,7 @@ int v_path_save(const V_PATH *path,
  * reads, zero-terminated. *length is its number of bytes without the zero. If capacity
  * is not larger than *length, only *length is written and the call fails with
  * V_ERR_SIZE; with text NULL and capacity 0, only *length is written.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_LIMIT,
- * V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_save_to_memory(const V_PATH *path,
                           char *text,
@@ -1079,7 +1070,7 @@ int v_path_save_to_memory(const V_PATH *path,
 /**
  * Gets the number of points of a path, at least 2. They count from 0. (The thesis
  * calls them support points.)
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
+ * V_ERR_NULL, V_ERR_HANDLE.
  */
 int v_path_point_count(const V_PATH *path, int *count);
 
@@ -1087,9 +1078,8 @@ int v_path_point_count(const V_PATH *path, int *count);
  * Inserts a point before the one at index at; if at is their number, appends it. The
  * new point copies all other properties from the point before it, or from the point
  * after it if at is 0; an absolute target equal to the new position becomes relative.
- * Coordinates are finite and at most 1e9 half sizes from the centre of the space.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
- * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ * Coordinates are finite and at most 1e9 times half_size from the centre of the space.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_insert_point(V_PATH *path,
                         int at,
@@ -1100,8 +1090,7 @@ int v_path_insert_point(V_PATH *path,
  * 1994, the new points copy all other properties from the point before them, so the
  * motion changes. To keep the motion, use v_path_insert_on_curve(), as the window's
  * Pos.++ does at the nearest whole frames.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT,
- * V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_divide_segment(V_PATH *path,
                           int segment,
@@ -1109,7 +1098,7 @@ int v_path_divide_segment(V_PATH *path,
 
 /**
  * Removes a point. The last two cannot be removed.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
  */
 int v_path_remove_point(V_PATH *path, int at);
 
@@ -1117,8 +1106,7 @@ int v_path_remove_point(V_PATH *path, int at);
  * Moves a point. Absolute targets stay in place; relative ones move with it. The
  * position must not equal an absolute target of the point. Coordinates are limited as
  * in v_path_insert_point().
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
- * V_ERR_RANGE.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE.
  */
 int v_path_set_position(V_PATH *path,
                         int at,
@@ -1126,14 +1114,14 @@ int v_path_set_position(V_PATH *path,
 
 /**
  * Gets the position of a point.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
  */
 int v_path_get_position(const V_PATH *path, int at, double xyz[3]);
 
 /**
  * Moves a point with all its properties to another index; the points between shift by
  * one.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
  */
 int v_path_move_point(V_PATH *path,
                       int from,
@@ -1141,15 +1129,14 @@ int v_path_move_point(V_PATH *path,
 
 /**
  * Sets the name of a point: UTF-8, one line of at most 256 bytes; "" removes it.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
- * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_set_point_name(V_PATH *path, int at, const char *name);
 
 /**
  * Gets the name of a point, "" if it has none. The buffer works as in
  * v_path_get_title().
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_SIZE.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_SIZE.
  */
 int v_path_get_point_name(const V_PATH *path,
                           int at,
@@ -1163,7 +1150,7 @@ int v_path_get_point_name(const V_PATH *path,
 /**
  * Sets the tension, continuity and bias of a point, each from -1 to 1 (Kochanek and
  * Bartels 1984), instead of a preset.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
  */
 int v_path_set_tcb(V_PATH *path,
                    int at,
@@ -1173,14 +1160,14 @@ int v_path_set_tcb(V_PATH *path,
 
 /**
  * Makes a point use one of the path's presets, 0 to 9.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
  */
 int v_path_use_preset(V_PATH *path, int at, int preset);
 
 /**
  * Gets the tension, continuity and bias in effect at a point, and the preset that it
  * uses, or -1 if it has its own values. Any result may be NULL.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
  */
 int v_path_get_tcb(const V_PATH *path,
                    int at,
@@ -1190,7 +1177,7 @@ int v_path_get_tcb(const V_PATH *path,
 /**
  * Sets one of the path's ten presets, 0 to 9, which changes every point that uses it.
  * Each value is from -1 to 1.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
  */
 int v_path_set_preset(V_PATH *path,
                       int preset,
@@ -1200,7 +1187,7 @@ int v_path_set_preset(V_PATH *path,
 
 /**
  * Gets the tension, continuity and bias of a preset, 0 to 9.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
  */
 int v_path_get_preset(const V_PATH *path, int preset, double tcb[3]);
 
@@ -1211,7 +1198,6 @@ int v_path_get_preset(const V_PATH *path, int preset, double tcb[3]);
  * Fills in an orientation: size, viewing direction (0, 0, -1) (relative, target (0, 0,
  * -0.4)), roll 0, zoom 24, tension, continuity and bias 0, all speeds 50, hold 0. NULL
  * only sets v_last_error().
- * Any thread; from callbacks too.
  */
 void v_orientation_init(V_ORIENTATION *o);
 
@@ -1219,7 +1205,7 @@ void v_orientation_init(V_ORIENTATION *o);
  * Gets the number of orientations of a point, 1 to 10. They count from 0, in the order
  * in which the camera takes them: it arrives in the first, turns from one to the next,
  * and leaves in the last.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
  */
 int v_path_orientation_count(const V_PATH *path,
                              int point,
@@ -1229,8 +1215,8 @@ int v_path_orientation_count(const V_PATH *path,
  * Inserts an orientation before the one at index at; if at is their number, appends
  * it. o is copied; NULL copies the orientation before the new one, or the first one if
  * at is 0.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
- * V_ERR_RANGE, V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_SIZE, V_ERR_LIMIT,
+ * V_ERR_MEMORY.
  */
 int v_path_insert_orientation(V_PATH *path,
                               int point,
@@ -1239,15 +1225,14 @@ int v_path_insert_orientation(V_PATH *path,
 
 /**
  * Removes an orientation. The only one of a point cannot be removed.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
  */
 int v_path_remove_orientation(V_PATH *path, int point, int at);
 
 /**
  * Sets all values of an orientation; o is copied. Settings that V_ORIENTATION does not
  * have (ease, distance curve, fixed frames, looking ahead) are unchanged.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
- * V_ERR_RANGE, V_ERR_SIZE.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_SIZE.
  */
 int v_path_set_orientation(V_PATH *path,
                            int point,
@@ -1257,7 +1242,7 @@ int v_path_set_orientation(V_PATH *path,
 /**
  * Gets the values of an orientation. Set o->size before, for example with
  * v_orientation_init().
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_SIZE.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_SIZE.
  */
 int v_path_get_orientation(const V_PATH *path,
                            int point,
@@ -1267,7 +1252,7 @@ int v_path_get_orientation(const V_PATH *path,
 /**
  * Makes the target of an orientation absolute (not 0) or relative (0). The view does
  * not change.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
  */
 int v_path_set_absolute(V_PATH *path,
                         int point,
@@ -1281,9 +1266,8 @@ int v_path_set_absolute(V_PATH *path,
  *
  * distance  0: along the tangent; > 0: at the position this far ahead on the curve,
  *     straight on beyond its end; < 0: stops looking ahead and keeps the present
- *     direction as an offset. At most 1e9 half sizes of the space
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
- * V_ERR_RANGE, V_ERR_MEMORY.
+ *     direction as an offset. At most 1e9 times half_size
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
  */
 int v_path_set_ahead(V_PATH *path,
                      int point,
@@ -1293,7 +1277,7 @@ int v_path_set_ahead(V_PATH *path,
 /**
  * Gets how far ahead an orientation looks, see v_path_set_ahead(); -1 if it looks at
  * its target.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
  */
 int v_path_get_ahead(const V_PATH *path,
                      int point,
@@ -1312,13 +1296,12 @@ int v_path_get_ahead(const V_PATH *path,
  *     "minimal"  starts with the up axis and is carried on without turning about the
  *                view, through all consecutive orientations that have it; on a closed
  *                path, the angle missing at the end is spread over the length
- *     "frenet"   the normal of the curve; only for curves of kind "cubic" whose
- *                points have no tangents of their own
+ *     "frenet"   the normal of the curve; only for curves of kind "cubic" without
+ *                custom tangents
  *     "y", "z"   this axis, whatever the space's up axis
  * Arguments that an up does not need may be NULL. A path has at most 10 different up
  * paths, each with at most 1000 points.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
- * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_set_up(V_PATH *path,
                   int point,
@@ -1335,8 +1318,7 @@ int v_path_set_up(V_PATH *path,
  * up_point  the point of "point", otherwise zeros
  * up_path   an open path with the curve of "path", to be freed with v_path_free();
  *     otherwise NULL
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT,
- * V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_get_up(const V_PATH *path,
                   int point,
@@ -1353,11 +1335,11 @@ int v_path_get_up(const V_PATH *path,
  * speed 50, finite and > 0, so that a larger value is slower. v_haupt() calls them
  * speeds.
  *
- * move_frames  moving by one half size of the space (v_path_set_space())
+ * move_frames  moving by half_size (v_path_set_space())
  * turn_frames  turning by 180 degrees
  * zoom_frames  zooming from 1 to 100
  * roll_frames  rolling by 90 degrees
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT.
  */
 int v_path_set_base_frames(V_PATH *path,
                            double move_frames,
@@ -1367,7 +1349,7 @@ int v_path_set_base_frames(V_PATH *path,
 
 /**
  * Gets the base speeds, see v_path_set_base_frames(). Any result may be NULL.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
+ * V_ERR_NULL, V_ERR_HANDLE.
  */
 int v_path_get_base_frames(const V_PATH *path,
                            double *move_frames,
@@ -1378,13 +1360,13 @@ int v_path_get_base_frames(const V_PATH *path,
 /**
  * Closes a path with one more segment from the last point to the first (not 0), or
  * opens it (0).
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
+ * V_ERR_NULL, V_ERR_HANDLE.
  */
 int v_path_set_closed(V_PATH *path, int closed);
 
 /**
  * Gets whether a path is closed: 1 or 0.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
+ * V_ERR_NULL, V_ERR_HANDLE.
  */
 int v_path_get_closed(const V_PATH *path, int *closed);
 
@@ -1392,20 +1374,19 @@ int v_path_get_closed(const V_PATH *path, int *closed);
  * Sets how the camera turns between its orientations (V_ORIENTATION_TCB,
  * V_ORIENTATION_BARRY_GOLDMAN, V_ORIENTATION_SLERP) and how the zoom changes
  * (V_ZOOM_SMOOTH, V_ZOOM_LINEAR).
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
  */
 int v_path_set_modes(V_PATH *path, int orientation_mode, int zoom_mode);
 
 /**
  * Gets the modes, see v_path_set_modes(). Any result may be NULL.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
+ * V_ERR_NULL, V_ERR_HANDLE.
  */
 int v_path_get_modes(const V_PATH *path, int *orientation_mode, int *zoom_mode);
 
 /**
  * Sets the title of a path: UTF-8, one line of at most 256 bytes; "" removes it.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
- * V_ERR_LIMIT, V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_set_title(V_PATH *path, const char *title);
 
@@ -1413,7 +1394,7 @@ int v_path_set_title(V_PATH *path, const char *title);
  * Gets the title of a path, zero-terminated. *length is its number of bytes without
  * the zero. If capacity is not larger than *length, only *length is written and the
  * call fails with V_ERR_SIZE; with title NULL and capacity 0, only *length is written.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE.
  */
 int v_path_get_title(const V_PATH *path,
                      char *title,
@@ -1422,14 +1403,13 @@ int v_path_get_title(const V_PATH *path,
 
 /**
  * Sets the comment of a path: UTF-8, any number of lines; "" removes it.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
- * V_ERR_LIMIT, V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_set_comment(V_PATH *path, const char *comment);
 
 /**
  * Gets the comment of a path, like v_path_get_title().
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE.
  */
 int v_path_get_comment(const V_PATH *path,
                        char *comment,
@@ -1439,27 +1419,27 @@ int v_path_get_comment(const V_PATH *path,
 /**
  * Sets the frame rate in frames per second, > 0 and at most 100000, by default 25.
  * Poses do not change.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
  */
 int v_path_set_fps(V_PATH *path, double fps);
 
 /**
  * Gets the frame rate in frames per second.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
+ * V_ERR_NULL, V_ERR_HANDLE.
  */
 int v_path_get_fps(const V_PATH *path, double *fps);
 
 /**
  * Sets the number of the first pose in the user's film, by default 1. Files in other
  * formats count from it; the library itself counts poses from 1.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
+ * V_ERR_NULL, V_ERR_HANDLE.
  */
 int v_path_set_first_frame(V_PATH *path,
                            int number);
 
 /**
  * Gets the number of the first pose in the user's film.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
+ * V_ERR_NULL, V_ERR_HANDLE.
  */
 int v_path_get_first_frame(const V_PATH *path, int *number);
 
@@ -1467,8 +1447,8 @@ int v_path_get_first_frame(const V_PATH *path, int *number);
  * Sets the object that is shown with a path, copied; NULL: none. The window draws its
  * lines and the edges of its triangles; if lines have more than 1,000,000 points in
  * all, only the points where they end or bend. v_path_check() uses the triangles.
- * Any thread; from callbacks too. V_ERR_NULL (path), V_ERR_SIZE, V_ERR_HANDLE,
- * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ * V_ERR_NULL (path), V_ERR_SIZE, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE,
+ * V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_set_object(V_PATH *path,
                       const V_MESH *object);
@@ -1477,7 +1457,7 @@ int v_path_set_object(V_PATH *path,
  * Gets the object that is shown with a path, with its triangles if it has any; 0
  * points if there is no object. The arrays belong to the library and are valid until
  * the same thread's next call of this function or its end. Set mesh->size before.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_MEMORY.
  */
 int v_path_get_object(const V_PATH *path,
                       V_MESH *mesh);
@@ -1493,10 +1473,9 @@ int v_path_get_object(const V_PATH *path,
  *     orientation), "point.2.view.3.zoom" and so on
  * value  as in the file: "30" or "[0, 1, 2]". Text needs no quotes; "" restores the
  *     value of a new path
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE (no such
- * property, point or orientation), V_ERR_ARGUMENT (not a value for it; the message
- * names it), V_ERR_LIMIT, V_ERR_MEMORY. If memory runs out while the value itself is
- * parsed, the program ends.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE (no such property, point or orientation),
+ * V_ERR_ARGUMENT (not a value for it; the message names it), V_ERR_LIMIT,
+ * V_ERR_MEMORY. If memory runs out while the value itself is parsed, the program ends.
  */
 int v_path_set_property(V_PATH *path,
                         const char *name,
@@ -1505,8 +1484,8 @@ int v_path_set_property(V_PATH *path,
 /**
  * Gets the value of a property as written in a .vid file, "" if it has none; see
  * v_path_set_property(). The buffer works as in v_path_get_title().
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE,
- * V_ERR_ARGUMENT, V_ERR_RANGE (no such property), V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE (no such
+ * property), V_ERR_MEMORY.
  */
 int v_path_get_property(const V_PATH *path,
                         const char *name,
@@ -1523,15 +1502,14 @@ int v_path_get_property(const V_PATH *path,
  *
  * centre     (0, 0, 0) in a new path
  * half_size  half the length of its edge, 1e-30 to 1e30; 1 in a new path. Centre,
- *     points and targets are at most 1e9 half sizes away
+ *     points and targets are at most 1e9 times as far away
  * up         V_UP_Y, as in a new path, or V_UP_Z
  *
  * Positions, offsets, tangents and lengths of a path are in your world's units. Base
  * frames, limits (V_LIMITS, v_path_check()) and the distances below which nothing
- * moves are counted in half sizes, so that they mean the same in metres and in
+ * moves are counted in units of half_size, so that they mean the same in metres and in
  * angstroms.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (a number
- * that is not finite), V_ERR_RANGE.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (a number that is not finite), V_ERR_RANGE.
  */
 int v_path_set_space(V_PATH *path,
                      const double centre[3],
@@ -1540,7 +1518,7 @@ int v_path_set_space(V_PATH *path,
 
 /**
  * Gets the space of a path. Any result may be NULL.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
+ * V_ERR_NULL, V_ERR_HANDLE.
  */
 int v_path_get_space(const V_PATH *path,
                      double centre[3],
@@ -1551,13 +1529,11 @@ int v_path_get_space(const V_PATH *path,
  * Fills in a space: size, centre (0, 0, 0), half_size 1, V_UP_Y. NULL only sets
  * v_last_error(). In C, a macro of this name passes the struct's size on, as for
  * v_editor_options_init().
- * Any thread; from callbacks too.
  */
 void v_space_init(V_SPACE *space);
 
 /**
  * Like v_space_init(), for a struct of size bytes, see v_editor_options_init_sized().
- * Any thread; from callbacks too.
  */
 void v_space_init_sized(V_SPACE *space,
                         size_t size);
@@ -1566,8 +1542,8 @@ void v_space_init_sized(V_SPACE *space,
  * Makes a new path in a space, placed as the path of v_path_new() is in its own; the
  * same as in a new window with this space. NULL: like v_path_new(). Free *path with
  * v_path_free().
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT (a number
- * that is not finite), V_ERR_RANGE, V_ERR_MEMORY, V_ERR_LIMIT.
+ * V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT (a number that is not finite), V_ERR_RANGE,
+ * V_ERR_MEMORY, V_ERR_LIMIT.
  */
 int v_path_new_in_space(const V_SPACE *space,
                         V_PATH **path);
@@ -1577,7 +1553,7 @@ int v_path_new_in_space(const V_SPACE *space,
  * sees: all poses stay the same, between frames too. Rolls are then measured from the
  * new axis. Views that track a target or look ahead get the old axis as their up, "y"
  * or "z" (v_path_set_up()); ups "y" or "z" that equal the new axis become "axis".
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
  */
 int v_path_change_up(V_PATH *path,
                      int up);
@@ -1588,8 +1564,7 @@ int v_path_change_up(V_PATH *path,
  * *orientation is unchanged, so call v_orientation_init() before. up is the up axis of
  * the path that it is for (V_UP_Y, V_UP_Z). vpn and vup may have any length but zero;
  * vup need not be perpendicular to vpn, but must not be parallel to it.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE
- * (zoom, up).
+ * V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE (zoom, up).
  */
 int v_orientation_from_pose(const V_POSE *pose,
                             int up,
@@ -1605,8 +1580,7 @@ int v_orientation_from_pose(const V_POSE *pose,
  * cusp or loop, and no way back, where points stand close), "cubic" as a cubic
  * spline with a continuous second derivative, "linear" straight. Tangents that points
  * own hold in each.
- * Any thread; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE, V_ERR_RANGE.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
  */
 int v_path_set_curve(V_PATH *path,
                      const char *kind);
@@ -1614,17 +1588,16 @@ int v_path_set_curve(V_PATH *path,
 /**
  * How the curve leads through the points, see v_path_set_curve(). The text is
  * the library's and stays.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
+ * V_ERR_NULL, V_ERR_HANDLE.
  */
 int v_path_get_curve(const V_PATH *path, const char **kind);
 
 /**
- * Gives a support point tangents of its own: the derivatives with which the
- * curve reaches it (before) and leaves it (after), a segment counting 1. Both
- * NULL: none of its own, those by the kind of the curve again. Each coordinate
- * is finite and at most 1e9 half sizes of the space.
- * Any thread; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE.
+ * Gives a point custom tangents: the derivatives with which the curve reaches it (before)
+ * and leaves it (after), a segment counting 1. If both are NULL, the point uses the
+ * tangents of the curve's kind again. Coordinates are limited as in
+ * v_path_insert_point().
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE.
  */
 int v_path_set_tangents(V_PATH *path,
                         int at,
@@ -1632,11 +1605,10 @@ int v_path_set_tangents(V_PATH *path,
                         const double after[3]);
 
 /**
- * The tangents with which the curve passes a support point, and whether they
- * are its own (1) or not (0). At an end of an open path both are that of the
- * one side. Setting what this gives changes no bit of the curve (of a cubic
- * spline no more than rounding). Each result may be NULL.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+ * Gets the tangents of the curve at a point, and whether they are custom (1) or not (0).
+ * At an end of an open path both are equal. Setting these tangents does not change the
+ * curve, except for rounding in a cubic spline. Any result may be NULL.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
  */
 int v_path_get_tangents(const V_PATH *path,
                         int at,
@@ -1645,21 +1617,18 @@ int v_path_get_tangents(const V_PATH *path,
                         int *own);
 
 /**
- * Inserts a support point on the curve where the camera is at a frame, and
- * keeps the motion: the curve, every pose and the number of frames stay. It
- * comes to lie at the nearest whole frame within the section (in a section of
- * one frame where it is asked for, and there are two then). So that nothing
- * changes, the points beside it own their tangents from then on, and
- * orientations their angular velocity, their slopes of zoom and roll, and a
- * part of the old pace. These tangents are removed when their point or one
- * beside it moves, unless they move together; v_path_set_tangents() makes them
- * the point's own for good.
+ * Inserts a point on the curve where the camera is at a frame. The curve, every pose and
+ * the number of frames do not change. The point gets the nearest whole frame within the
+ * section; a section of one frame becomes two frames, split where you ask. To keep the
+ * motion, the neighbouring points get custom tangents, and orientations a custom angular
+ * velocity, custom slopes of zoom and roll, and a part of the old speed profile. Such
+ * tangents are removed when their point or a neighbour moves alone;
+ * v_path_set_tangents() makes them permanent.
  *
  * frame  from 1 to the number of frames, not at a key and not in a pan; the
  *     orientation mode must not be V_ORIENTATION_BARRY_GOLDMAN
- * at     the number of the new point; may be NULL
- * Any thread; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ * at     index of the new point; may be NULL
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_insert_on_curve(V_PATH *path, double frame, int *at);
 
@@ -1676,7 +1645,7 @@ int v_path_insert_on_curve(V_PATH *path, double frame, int *at);
  * distance  fraction of the distance covered at t, 0 to 1
  * speed     its derivative
  * Any result may be NULL.
- * Any thread; from callbacks too. V_ERR_ARGUMENT, V_ERR_RANGE.
+ * V_ERR_ARGUMENT, V_ERR_RANGE.
  */
 int v_ease(int kind,
            double rise,
@@ -1693,8 +1662,7 @@ int v_ease(int kind,
  *     are ignored
  * rise, fall  fractions of the time, as in v_ease()
  * cruise  the cruising speed, 1 to 100
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
- * V_ERR_RANGE, V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
  */
 int v_path_set_ease(V_PATH *path,
                     int point,
@@ -1707,7 +1675,7 @@ int v_path_set_ease(V_PATH *path,
 /**
  * Gets the ease of the section that begins with an orientation, see v_path_set_ease();
  * kind -1 and zeros if it has none. Any result may be NULL.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
  */
 int v_path_get_ease(const V_PATH *path,
                     int point,
@@ -1725,8 +1693,7 @@ int v_path_get_ease(const V_PATH *path,
  * time_way  pairs (fraction of the time, fraction of the distance), from 0, 0 to 1, 1,
  *     both increasing
  * keys      number of pairs, 2 to 32; 0: back to the ten speeds; time_way is ignored
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
- * V_ERR_RANGE, V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
  */
 int v_path_set_distance(V_PATH *path,
                         int point,
@@ -1740,7 +1707,7 @@ int v_path_set_distance(V_PATH *path,
  * the number of pairs that time_way has room for. If that is too small, only *keys is
  * written and the call fails with V_ERR_SIZE; with time_way NULL and capacity 0, only
  * *keys is written.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_SIZE.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_SIZE.
  */
 int v_path_get_distance(const V_PATH *path,
                         int point,
@@ -1756,8 +1723,7 @@ int v_path_get_distance(const V_PATH *path,
  * Fixes the number of frames of the section that begins with an orientation, whatever
  * its length; 0: it follows from the length again. A section in which nothing changes
  * always has 0 frames. The path may have at most 100000000 frames in all.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT,
- * V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_set_frames(V_PATH *path,
                       int point,
@@ -1767,7 +1733,7 @@ int v_path_set_frames(V_PATH *path,
 /**
  * Gets the fixed frames of the section that begins with an orientation; 0: they follow
  * from the length.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
  */
 int v_path_get_frames(const V_PATH *path,
                       int point,
@@ -1777,7 +1743,7 @@ int v_path_get_frames(const V_PATH *path,
 /**
  * Sets whether v_path_fit_frames() keeps the frames of the section that begins with an
  * orientation (not 0) or not (0).
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
  */
 int v_path_set_frames_locked(V_PATH *path,
                              int point,
@@ -1787,7 +1753,7 @@ int v_path_set_frames_locked(V_PATH *path,
 /**
  * Gets whether the frames of a section are locked, see v_path_set_frames_locked(): 1
  * or 0.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
  */
 int v_path_get_frames_locked(const V_PATH *path,
                              int point,
@@ -1795,7 +1761,7 @@ int v_path_get_frames_locked(const V_PATH *path,
                              int *locked);
 
 /**
- * Fixes the frames of all moving sections between two points, so that there are
+ * Fixes the frames of all moving sections between two points, so that it takes
  * exactly frames from the first pose at first_point to the last pose at last_point,
  * holds included. With 0 and the last point, v_path_frame_count() is then exactly
  * frames; on a closed path that includes the way back to the first point. On a closed
@@ -1807,7 +1773,7 @@ int v_path_get_frames_locked(const V_PATH *path,
  * count as they are; v_path_set_frames() with 0 makes them follow from the length
  * again. If frames is too small, the call fails and v_last_error() returns the
  * smallest possible number.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
  */
 int v_path_fit_frames(V_PATH *path,
                       int first_point,
@@ -1819,14 +1785,14 @@ int v_path_fit_frames(V_PATH *path,
 
 /**
  * Gets the length of the whole curve, in the units of the positions.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_MEMORY.
  */
 int v_path_length(const V_PATH *path, double *length);
 
 /**
  * Gets the length of a segment. Segment n leads from point n to the next; a closed
  * path has one more, from the last point to the first.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
  */
 int v_path_segment_length(const V_PATH *path,
                           int segment,
@@ -1835,8 +1801,7 @@ int v_path_segment_length(const V_PATH *path,
 /**
  * Gets the position on a segment at t from 0 to 1, the parameter of the spline (not of
  * its length).
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
- * V_ERR_RANGE, V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
  */
 int v_path_curve_point(const V_PATH *path,
                        int segment,
@@ -1846,8 +1811,7 @@ int v_path_curve_point(const V_PATH *path,
 /**
  * Gets the position on a segment at the distance s from its start, measured along the
  * curve, from 0 to the length of the segment.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
- * V_ERR_RANGE, V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
  */
 int v_path_point_at_length(const V_PATH *path,
                            int segment,
@@ -1891,8 +1855,7 @@ int v_path_point_at_length(const V_PATH *path,
  *     around x y z (0), radius (0.7), height (0.4), width (1.2),
  *     from degrees (0), zoom mm (24), seconds (10)
  *
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE,
- * V_ERR_LIMIT, V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_from_move(const char *move,
                      const double *parameters,
@@ -1901,12 +1864,11 @@ int v_path_from_move(const char *move,
 
 /**
  * Like v_path_from_move(), in a space. With V_UP_Z, headings are towards +x (0) and +y
- * (90), and heights along z. Default lengths are multiplied by the half size of the
+ * (90), and heights along z. Default lengths are multiplied by the half_size of the
  * space; default positions are its centre. Free *path with v_path_free().
  *
  * space   see v_space_init(); NULL: centre (0, 0, 0), half_size 1, V_UP_Y
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE,
- * V_ERR_LIMIT, V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_from_move_in_space(const char *move,
                               const double *parameters,
@@ -1921,8 +1883,8 @@ int v_path_from_move_in_space(const char *move,
  * matrix  column by column, without shear; its last row is 0 0 0 1
  * with_targets  1: targets, views and rolls are transformed too; 0: absolute targets
  *     stay in place, relative ones keep their direction
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (shear, or
- * a point would be at its own target), V_ERR_RANGE, V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (shear, or a point would be at its own
+ * target), V_ERR_RANGE, V_ERR_MEMORY.
  */
 int v_path_transform(V_PATH *path,
                      int first_point,
@@ -1936,8 +1898,7 @@ int v_path_transform(V_PATH *path,
  *
  * box    NULL: the bounds of the points' positions
  * with_targets  1: their targets are deformed too; 0: they are unchanged
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
- * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_deform(V_PATH *path,
                   int first_point,
@@ -1952,8 +1913,7 @@ int v_path_deform(V_PATH *path,
  * Copies the points from first_point to last_point into a new, open path with the same
  * curve. On a closed path first_point may be after last_point. Free *block with
  * v_path_free().
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY,
- * V_ERR_LIMIT.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY, V_ERR_LIMIT.
  */
 int v_path_extract(const V_PATH *path,
                    int first_point,
@@ -1968,8 +1928,8 @@ int v_path_extract(const V_PATH *path,
  * Except with V_FIT_NONE, the block's first point is merged with that point, which
  * keeps its views; with V_FIT_SCALE its last point is merged with the next point in
  * the same way. A closed block ends where it begins. Duplicate names get a number.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no
- * direction, or no length to scale), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no direction, or no length to scale),
+ * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_insert_path(V_PATH *path,
                        int at,
@@ -1979,15 +1939,14 @@ int v_path_insert_path(V_PATH *path,
 /**
  * Reverses a path: the film shows the same poses in reverse order. Views that look
  * ahead then look ahead in the new direction.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_MEMORY.
  */
 int v_path_reverse(V_PATH *path);
 
 /**
  * Repeats a path count times. Each repetition begins where the last one ended, and its
  * targets move with it; a closed path is run through count times.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT,
- * V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_repeat(V_PATH *path,
                   int count);
@@ -1996,12 +1955,11 @@ int v_path_repeat(V_PATH *path,
  * Makes the weighted sum of paths: positions, curve, targets, roll, zoom and speeds,
  * point by point. Paths with fewer points are first resampled by length to the largest
  * number of points. Fixed frames (rounded), angular velocities and slopes are blended
- * where every path has them. Everything else comes from the path with the greatest
+ * where every path has them. The rest comes from the path with the greatest
  * weight. Free *blend with v_path_free().
  *
  * weights  count numbers with the sum 1
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
- * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_blend(V_PATH *const *paths,
                  const double *weights,
@@ -2012,20 +1970,18 @@ int v_path_blend(V_PATH *const *paths,
 /* ---- Sections and poses ------------------------------------------------------ */
 
 /**
- * How many sections a path has. A section is the way from one orientation to
- * the next, be it at the same support point or on to the next point. They are
- * counted from 0 in the order in which the camera takes them.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_MEMORY.
+ * Gets the number of sections of a path. A section leads from one orientation to the next,
+ * at the same point or at the next one. Sections count from 0, in the order in which the
+ * camera takes them.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_MEMORY.
  */
 int v_path_section_count(const V_PATH *path, int *count);
 
 /**
- * The support point and the orientation with which a section begins, the
- * number (from 1) of the first pose that belongs to it, and how many do; 0 if
- * nothing changes in it. Poses that rest at the section's end are not
- * counted. Each result may be NULL.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
- * V_ERR_LIMIT, V_ERR_MEMORY.
+ * Gets the point and the orientation with which a section begins, its first frame, and its
+ * number of frames, which is 0 if nothing changes in it. Frames of a hold at its end do
+ * not count. Any result may be NULL.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_section_info(const V_PATH *path,
                         int section,
@@ -2035,19 +1991,16 @@ int v_path_section_info(const V_PATH *path,
                         size_t *frames);
 
 /**
- * How many poses the whole path yields; at least 1. They are numbered from 1.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_LIMIT,
- * V_ERR_MEMORY.
+ * Gets the number of frames of a path, at least 1. They count from 1.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_frame_count(const V_PATH *path, size_t *frames);
 
 /**
- * All poses of a path, into the caller's array of capacity elements; *count
- * is how many. With a capacity too small nothing is written but *count, the
- * capacity needed, and the answer is V_ERR_SIZE. poses NULL with capacity 0
- * only asks for *count.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE,
- * V_ERR_LIMIT, V_ERR_MEMORY.
+ * Writes all poses of a path to your array of capacity elements, and their number to
+ * *count. If capacity is too small, only *count is written and the call fails with
+ * V_ERR_SIZE; with poses NULL and capacity 0, only *count is written.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_sample(const V_PATH *path,
                   V_POSE *poses,
@@ -2055,11 +2008,10 @@ int v_path_sample(const V_PATH *path,
                   size_t *count);
 
 /**
- * count poses from number first on, 1 to the count of v_path_frame_count(), into
- * the caller's array, each equal to that of v_path_sample(). For hosts that take a
- * long path in pieces.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE (first 0,
- * or not so many poses from there), V_ERR_LIMIT, V_ERR_MEMORY.
+ * Writes count poses, beginning with frame first, to your array. They equal those of
+ * v_path_sample(). Use it to take a long path in pieces.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE (first is 0, or there are fewer poses),
+ * V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_sample_range(const V_PATH *path,
                         size_t first,
@@ -2067,21 +2019,19 @@ int v_path_sample_range(const V_PATH *path,
                         V_POSE *poses);
 
 /**
- * The pose at one frame, 1 to the count of v_path_frame_count(); between two
- * frames also, as 1.5. At a whole frame it is that of v_path_sample(), bit for bit.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
- * V_ERR_LIMIT, V_ERR_MEMORY.
+ * Gets the pose at a frame, from 1 to v_path_frame_count(), also between two frames
+ * (1.5). At a whole frame it equals that of v_path_sample() bit for bit.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_pose(const V_PATH *path, double frame, V_POSE *pose);
 
 /**
- * The poses at count frames, each as v_path_pose() returns it: for motion blur, sound, and
- * pictures at the times at which they are shown. Any order; ascending frames are fastest.
+ * Gets the poses at count frames, as v_path_pose() does for one. Frames may have any
+ * order; ascending frames are fastest.
  *
- * frames  each from 1 to the count of v_path_frame_count()
- * poses   room for count of them, which does not overlap the frames
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
- * V_ERR_LIMIT, V_ERR_MEMORY.
+ * frames  each from 1 to v_path_frame_count()
+ * poses   space for count poses; must not overlap frames
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_poses_at(const V_PATH *path,
                     const double *frames,
@@ -2089,12 +2039,11 @@ int v_path_poses_at(const V_PATH *path,
                     V_POSE *poses);
 
 /**
- * All poses of a path as a list in the form of 1994, see V_KAMERAPAR: zooms are whole
- * numbers there, 100 for any beyond. first is
- * the host's and becomes the first element; its number must be set before, to
- * -1 if there are no data yet. A list that VIDES made there before is freed
- * when the new one is complete; any other list is left alone and only
- * forgotten. If the call fails, the old list stays whole.
+ * Makes a list of all poses as in 1994, see V_KAMERAPAR: zooms are whole numbers, 100 for
+ * any larger zoom. first is your element and becomes the first; set its number before, to
+ * -1 if there is no data yet. A list that VIDES made there before is freed when the new
+ * one is complete; any other list is forgotten but not freed. If the call fails, the old
+ * list is unchanged.
  * Any thread, if no other uses the list meanwhile; from callbacks too.
  * V_ERR_NULL, V_ERR_HANDLE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
@@ -2102,24 +2051,19 @@ int v_path_to_list(const V_PATH *path,
                    V_KAMERAPAR *first);
 
 /**
- * Writes all poses of a path into a text file: one line for each, with VRP,
- * VPN, VUP (x, y and z each) and zoom as C prints them by "%3.4f", separated
- * by one space; the decimal sign is a point whatever the locale, and minus
- * zero is written as zero. The file is afterwards wholly the old or wholly the
- * new one.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO,
- * V_ERR_LIMIT, V_ERR_MEMORY. Memory that runs out while the file is opened or
- * written may end the program; the old file stays.
+ * Writes all poses of a path to a text file, one line each: VRP, VPN, VUP (x, y and z
+ * each) and zoom, as C prints them by "%3.4f", separated by one space. The decimal sign is
+ * a point in every locale, and minus zero is written as zero. The file is replaced
+ * atomically.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO, V_ERR_LIMIT, V_ERR_MEMORY. If memory runs out
+ * while the file is opened or written, the program may end; the old file is unchanged.
  */
 int v_path_write_ascii(const V_PATH *path, const char *file);
 
 /**
- * The lines of v_path_write_ascii() in memory, ended by zero; *length is their
- * bytes without the zero. With a capacity not larger than *length nothing else is
- * written, and the answer is V_ERR_SIZE. text NULL with capacity 0 only asks for
- * *length.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE,
- * V_ERR_LIMIT, V_ERR_MEMORY.
+ * Writes the lines of v_path_write_ascii() to memory, zero-terminated. The buffer works
+ * as in v_path_get_title().
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_write_ascii_to_memory(const V_PATH *path,
                                  char *text,
@@ -2134,8 +2078,7 @@ int v_path_write_ascii_to_memory(const V_PATH *path,
  * may lie between two whole frames. The last pose is at (v_path_frame_count() - 1) / fps
  * seconds; other times are out of range. For the time of a whole frame from
  * v_path_seconds_at_frame(), the result is exactly that frame.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT,
- * V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_frame_at_seconds(const V_PATH *path,
                             double seconds,
@@ -2146,8 +2089,7 @@ int v_path_frame_at_seconds(const V_PATH *path,
  * v_path_frame_at_seconds().
  *
  * frame  from 1 to v_path_frame_count(), also between two whole frames
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT,
- * V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_seconds_at_frame(const V_PATH *path,
                             double frame,
@@ -2159,8 +2101,7 @@ int v_path_seconds_at_frame(const V_PATH *path,
  * frame, the motion before it. Set motion->size before.
  *
  * frame  from 1 to v_path_frame_count(), also between two whole frames
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_RANGE,
- * V_ERR_LIMIT, V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_motion(const V_PATH *path,
                   double frame,
@@ -2173,7 +2114,7 @@ int v_path_motion(const V_PATH *path,
  * Fills in a node of this kind at the origin: size, visible, scale 1, rotation 1 0 0
  * 0, no parent, no aim, zoom 24, white, intensity 1, a cone of 20 and 30 degrees,
  * planes at 0.01 and 1000. An unknown kind is refused only where the node is used.
- * Any thread; from callbacks too. NULL only sets v_last_error().
+ * NULL only sets v_last_error().
  */
 void v_node_init(V_NODE *node,
                  int kind);
@@ -2183,7 +2124,7 @@ void v_node_init(V_NODE *node,
  * frame 1. Free *scene with v_scene_free(). For a scene in a space of your world, call
  * v_scene_set_space(), then v_scene_set_path() for node 0 with a path of
  * v_path_new_in_space().
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_MEMORY, V_ERR_LIMIT.
+ * V_ERR_NULL, V_ERR_MEMORY, V_ERR_LIMIT.
  */
 int v_scene_new(V_SCENE **scene);
 
@@ -2196,8 +2137,8 @@ int v_scene_new(V_SCENE **scene);
  * file that has changed is read as it is. In these cases the call still returns V_OK,
  * and v_last_warning() reports them; "" if all meshes are unchanged.
  * v_scene_load_geometry() reads a mesh from anywhere.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_IO, V_ERR_FORMAT (with line and
- * reason in v_last_error()), V_ERR_MEMORY (but see v_path_load()), V_ERR_LIMIT.
+ * V_ERR_NULL, V_ERR_IO, V_ERR_FORMAT (with line and reason in v_last_error()),
+ * V_ERR_MEMORY (but see v_path_load()), V_ERR_LIMIT.
  */
 int v_scene_load(const char *file,
                  V_SCENE **scene);
@@ -2206,8 +2147,8 @@ int v_scene_load(const char *file,
  * Reads a scene from the text of a .vid file in memory, like v_scene_load(). text has
  * size bytes of UTF-8 and need not be zero-terminated. Mesh files with relative names
  * are looked up in the current directory. Free *scene with v_scene_free().
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_FORMAT (with line and reason in
- * v_last_error()), V_ERR_MEMORY (but see v_path_load()), V_ERR_LIMIT.
+ * V_ERR_NULL, V_ERR_FORMAT (with line and reason in v_last_error()), V_ERR_MEMORY (but
+ * see v_path_load()), V_ERR_LIMIT.
  */
 int v_scene_load_from_memory(const char *text,
                              size_t size,
@@ -2216,8 +2157,7 @@ int v_scene_load_from_memory(const char *text,
 /**
  * Gets the text of the .vid file of a scene, like v_path_save_to_memory(). The names
  * of mesh files are unchanged.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_BUSY,
- * V_ERR_LIMIT, V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_BUSY, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_scene_save_to_memory(const V_SCENE *scene,
                            char *text,
@@ -2226,24 +2166,20 @@ int v_scene_save_to_memory(const V_SCENE *scene,
 
 /**
  * Saves a scene to a .vid file, atomically like v_path_save().
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO, V_ERR_BUSY,
- * V_ERR_LIMIT, V_ERR_MEMORY (but see v_path_save()).
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO, V_ERR_BUSY, V_ERR_LIMIT, V_ERR_MEMORY (but see
+ * v_path_save()).
  */
 int v_scene_save(const V_SCENE *scene, const char *file);
 
 /**
  * Makes an independent copy of a scene. Both share geometry until one of them changes
  * it. Free *copy with v_scene_free().
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY, V_ERR_MEMORY,
- * V_ERR_LIMIT.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY, V_ERR_MEMORY, V_ERR_LIMIT.
  */
 int v_scene_clone(const V_SCENE *scene,
                   V_SCENE **copy);
 
-/**
- * Frees a scene, like v_path_free(). NULL is ignored.
- * Any thread; from callbacks too.
- */
+/** Frees a scene, like v_path_free(). NULL is ignored. */
 void v_scene_free(V_SCENE *scene);
 
 
@@ -2251,15 +2187,15 @@ void v_scene_free(V_SCENE *scene);
 
 /**
  * Gets the number of nodes in a scene.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
  */
 int v_scene_node_count(const V_SCENE *scene, int *count);
 
 /**
  * Adds a node after the others. *node receives its number; it may be NULL. name is
  * unique in its scene: UTF-8, one line, not empty.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE,
- * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT,
+ * V_ERR_BUSY, V_ERR_MEMORY.
  */
 int v_scene_add_node(V_SCENE *scene,
                      const char *name,
@@ -2271,23 +2207,21 @@ int v_scene_add_node(V_SCENE *scene,
  * that aimed at a removed one no longer aim. Removing many nodes in a row costs no
  * more than removing one; you may read the number of nodes, names and nodes in
  * between.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY,
- * V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY, V_ERR_MEMORY.
  */
 int v_scene_remove_node(V_SCENE *scene,
                         int node);
 
 /**
  * Gets the number of the node with this name.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no such
- * node), V_ERR_BUSY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no such node), V_ERR_BUSY.
  */
 int v_scene_find_node(const V_SCENE *scene, const char *name, int *node);
 
 /**
  * Gets the name of a node. The text belongs to the library and is valid until the same
  * thread's next call of a function that returns a text of a scene.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
  */
 int v_scene_get_name(const V_SCENE *scene,
                      int node,
@@ -2295,15 +2229,14 @@ int v_scene_get_name(const V_SCENE *scene,
 
 /**
  * Renames a node, see v_scene_add_node().
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
- * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
+ * V_ERR_MEMORY.
  */
 int v_scene_set_name(V_SCENE *scene, int node, const char *name);
 
 /**
  * Gets a node at rest. Set values->size before.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_RANGE,
- * V_ERR_BUSY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_RANGE, V_ERR_BUSY.
  */
 int v_scene_get_node(const V_SCENE *scene,
                      int node,
@@ -2314,8 +2247,8 @@ int v_scene_get_node(const V_SCENE *scene,
  * position, rotation and scale are read relative to the old parent and converted, so
  * that the node keeps its place in the world at the scene's first frame. A node that
  * moves can only change to a parent in the same place as the old one.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT
- * (such as a cycle), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT (such as a cycle), V_ERR_RANGE,
+ * V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
  */
 int v_scene_set_node(V_SCENE *scene,
                      int node,
@@ -2331,8 +2264,8 @@ int v_scene_set_node(V_SCENE *scene,
  * path.
  *
  * after  V_AFTER_HOLD, V_AFTER_REPEAT or V_AFTER_PINGPONG; applies before the path too
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
- * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
+ * V_ERR_MEMORY.
  */
 int v_scene_set_path(V_SCENE *scene,
                      int node,
@@ -2342,8 +2275,8 @@ int v_scene_set_path(V_SCENE *scene,
 
 /**
  * Gets a copy of the path that a node follows. Free *path with v_path_free().
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (it follows
- * none), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (it follows none), V_ERR_RANGE,
+ * V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
  */
 int v_scene_get_path(const V_SCENE *scene,
                      int node,
@@ -2352,16 +2285,16 @@ int v_scene_get_path(const V_SCENE *scene,
 /**
  * Sets a marker at a frame, or moves the marker of this name (UTF-8, one line, not
  * empty).
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
- * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
+ * V_ERR_MEMORY.
  */
 int v_scene_set_marker(V_SCENE *scene, const char *name, double frame);
 
 /**
  * Pins a point of a node's path to a marker; NULL removes the pin. Pins hold when the
  * path changes, and are saved.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
- * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
+ * V_ERR_MEMORY.
  */
 int v_scene_pin(V_SCENE *scene,
                 int node,
@@ -2372,8 +2305,8 @@ int v_scene_pin(V_SCENE *scene,
  * Sets the space of a scene, like v_path_set_space(); up applies to nodes that aim at
  * others. The values of its nodes do not change. A path in the scene has its own
  * space.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY, V_ERR_ARGUMENT
- * (a number that is not finite), V_ERR_RANGE.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY, V_ERR_ARGUMENT (a number that is not finite),
+ * V_ERR_RANGE.
  */
 int v_scene_set_space(V_SCENE *scene,
                       const double centre[3],
@@ -2382,7 +2315,7 @@ int v_scene_set_space(V_SCENE *scene,
 
 /**
  * Gets the space of a scene. Any result may be NULL.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
  */
 int v_scene_get_space(const V_SCENE *scene,
                       double centre[3],
@@ -2394,14 +2327,13 @@ int v_scene_get_space(const V_SCENE *scene,
 
 /**
  * Sets the title of a scene, like v_path_set_title().
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
- * V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
  */
 int v_scene_set_title(V_SCENE *scene, const char *title);
 
 /**
  * Gets the title of a scene, like v_path_get_title().
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_BUSY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_BUSY.
  */
 int v_scene_get_title(const V_SCENE *scene,
                       char *title,
@@ -2410,14 +2342,13 @@ int v_scene_get_title(const V_SCENE *scene,
 
 /**
  * Sets the comment of a scene, like v_path_set_comment().
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
- * V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
  */
 int v_scene_set_comment(V_SCENE *scene, const char *comment);
 
 /**
  * Gets the comment of a scene, like v_path_get_comment().
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_BUSY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_BUSY.
  */
 int v_scene_get_comment(const V_SCENE *scene,
                         char *comment,
@@ -2427,42 +2358,40 @@ int v_scene_get_comment(const V_SCENE *scene,
 /**
  * Sets the frame rate in frames per second, > 0 and at most 100000, by default 25.
  * Positions at frames do not change.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
  */
 int v_scene_set_fps(V_SCENE *scene,
                     double fps);
 
 /**
  * Gets the frame rate in frames per second.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
  */
 int v_scene_get_fps(const V_SCENE *scene, double *fps);
 
 /**
  * Sets the number shown to users for the scene's frame 1, by default 1. The functions
  * of this library always use the scene's own frames.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
  */
 int v_scene_set_first_frame(V_SCENE *scene,
                             int number);
 
 /**
  * Gets the number shown to users for the scene's frame 1.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
  */
 int v_scene_get_first_frame(const V_SCENE *scene, int *number);
 
 /**
  * Sets the limit of a kind of finding, like v_path_set_limit().
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no such
- * kind), V_ERR_RANGE, V_ERR_BUSY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no such kind), V_ERR_RANGE, V_ERR_BUSY.
  */
 int v_scene_set_limit(V_SCENE *scene, const char *kind, double limit);
 
 /**
  * Gets the limit of a kind of finding, like v_path_get_limit().
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
- * V_ERR_BUSY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_BUSY.
  */
 int v_scene_get_limit(const V_SCENE *scene, const char *kind, double *limit);
 
@@ -2473,15 +2402,14 @@ int v_scene_get_limit(const V_SCENE *scene, const char *kind, double *limit);
  * Sets the camera that is shown; -1: the first one on a path, or the first one if none
  * is. The choice follows the node when numbers change, is removed with it, and is
  * saved in the file.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no
- * camera), V_ERR_RANGE, V_ERR_BUSY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no camera), V_ERR_RANGE, V_ERR_BUSY.
  */
 int v_scene_set_camera(V_SCENE *scene,
                        int node);
 
 /**
  * Gets the camera that is shown; -1 if the scene has none.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
  */
 int v_scene_get_camera(const V_SCENE *scene, int *node);
 
@@ -2489,9 +2417,8 @@ int v_scene_get_camera(const V_SCENE *scene, int *node);
  * Sets the first and last frame of a scene; if first > last, they follow from all
  * paths and keys. v_scene_frame_range() gets the range in effect. It is saved in the
  * file.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (a number
- * that is not finite), V_ERR_RANGE, V_ERR_LIMIT (more than 100000000 frames),
- * V_ERR_BUSY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (a number that is not finite), V_ERR_RANGE,
+ * V_ERR_LIMIT (more than 100000000 frames), V_ERR_BUSY.
  */
 int v_scene_set_range(V_SCENE *scene,
                       double first,
@@ -2503,8 +2430,8 @@ int v_scene_set_range(V_SCENE *scene,
  * keep  V_KEEP_PLACE: it keeps its place in the world at the scene's first frame, as
  *     in v_scene_set_node(). V_KEEP_NUMBERS: its values, path and tracks are
  *     unchanged, and it moves with its new parent
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (such as a
- * cycle), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (such as a cycle), V_ERR_RANGE,
+ * V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
  */
 int v_scene_set_parent(V_SCENE *scene,
                        int node,
@@ -2533,8 +2460,8 @@ int v_scene_set_parent(V_SCENE *scene,
  *     "tcb": tension, continuity and bias of each key; otherwise NULL
  * after   how it continues after the last key, V_AFTER_..., optionally | V_BEFORE_...
  *     for before the first one
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
- * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
+ * V_ERR_MEMORY.
  */
 int v_scene_set_track(V_SCENE *scene,
                       int node,
@@ -2551,8 +2478,8 @@ int v_scene_set_track(V_SCENE *scene,
  * track (*interpolation is then ""). capacity is the number of keys that frames,
  * values and shape have room for. Any result may be NULL; the text is valid as for
  * v_scene_get_name().
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
- * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_SIZE (more keys than room), V_ERR_BUSY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_SIZE (more
+ * keys than room), V_ERR_BUSY.
  */
 int v_scene_get_track(const V_SCENE *scene,
                       int node,
@@ -2570,8 +2497,7 @@ int v_scene_get_track(const V_SCENE *scene,
  * replacing an older one; NULL removes it. name is NAME, with or without "host:". The
  * function is called on any thread that evaluates a scene. It must not use scenes
  * itself, and must return to its caller: no longjmp() and no exception may leave it.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_LIMIT,
- * V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_register_interpolation(const char *name,
                              V_INTERPOLATE function,
@@ -2583,8 +2509,8 @@ int v_register_interpolation(const char *name,
 /**
  * Sets the geometry of an object; the mesh is copied. If the object has shapes, the
  * mesh must have as many points as they have.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE,
- * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT,
+ * V_ERR_BUSY, V_ERR_MEMORY.
  */
 int v_scene_set_geometry(V_SCENE *scene, int node, const V_MESH *mesh);
 
@@ -2593,8 +2519,8 @@ int v_scene_set_geometry(V_SCENE *scene, int node, const V_MESH *mesh);
  * of its name. A saved .vid file then refers to that file instead of containing the
  * points, by a relative name if the file is in the same folder or below;
  * v_scene_load() reads it again.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO, V_ERR_FORMAT,
- * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO, V_ERR_FORMAT, V_ERR_ARGUMENT, V_ERR_RANGE,
+ * V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
  */
 int v_scene_load_geometry(V_SCENE *scene,
                           int node,
@@ -2604,8 +2530,8 @@ int v_scene_load_geometry(V_SCENE *scene,
  * Adds a shape to an object: other positions for all its points. Its weight is 0 at
  * first; the channel "weights" has one number per shape, and the mesh itself gets the
  * remainder to 1.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
- * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
+ * V_ERR_MEMORY.
  */
 int v_scene_add_shape(V_SCENE *scene,
                       int node,
@@ -2616,8 +2542,8 @@ int v_scene_add_shape(V_SCENE *scene,
 /**
  * Adds a deformation (see v_deform()) to an object, after the others. *at receives its
  * number and may be NULL. box NULL: the bounds of the geometry at rest.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
- * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
+ * V_ERR_MEMORY.
  */
 int v_scene_add_deformation(V_SCENE *scene,
                             int node,
@@ -2630,8 +2556,7 @@ int v_scene_add_deformation(V_SCENE *scene,
 /**
  * Removes a deformation with its tracks. The numbers of later deformations decrease,
  * in the names of channels too.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
- * V_ERR_RANGE, V_ERR_BUSY, V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_BUSY, V_ERR_MEMORY.
  */
 int v_scene_remove_deformation(V_SCENE *scene,
                                int node,
@@ -2654,8 +2579,7 @@ int v_scene_remove_deformation(V_SCENE *scene,
  *              the first index fastest; (-1, -1, -1), (-1/3, -1, -1) ... is the
  *              identity. Points outside the box do not move
  *
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE,
- * V_ERR_LIMIT, V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_deform(const char *kind,
              const double *parameters,
@@ -2670,8 +2594,7 @@ int v_deform(const char *kind,
 /**
  * Gets the frame at which a node's path starts, and how it continues before and after,
  * see v_scene_set_path(). Any result may be NULL.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (it follows
- * none), V_ERR_RANGE, V_ERR_BUSY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (it follows none), V_ERR_RANGE, V_ERR_BUSY.
  */
 int v_scene_get_start(const V_SCENE *scene,
                       int node,
@@ -2680,7 +2603,7 @@ int v_scene_get_start(const V_SCENE *scene,
 
 /**
  * Gets the number of tracks of a node.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
  */
 int v_scene_track_count(const V_SCENE *scene,
                         int node,
@@ -2689,7 +2612,7 @@ int v_scene_track_count(const V_SCENE *scene,
 /**
  * Gets the channel of a node's track, for v_scene_get_track(); at counts from 0. The
  * text is valid as for v_scene_get_name().
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
  */
 int v_scene_get_channel(const V_SCENE *scene,
                         int node,
@@ -2698,14 +2621,14 @@ int v_scene_get_channel(const V_SCENE *scene,
 
 /**
  * Gets the number of markers in a scene.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
  */
 int v_scene_marker_count(const V_SCENE *scene, int *count);
 
 /**
  * Gets a marker; markers are sorted by name and count from 0. Any result may be NULL;
  * the text is valid as for v_scene_get_name().
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
  */
 int v_scene_get_marker(const V_SCENE *scene,
                        int at,
@@ -2714,21 +2637,20 @@ int v_scene_get_marker(const V_SCENE *scene,
 
 /**
  * Removes a marker and its pins.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no such
- * marker), V_ERR_BUSY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no such marker), V_ERR_BUSY.
  */
 int v_scene_remove_marker(V_SCENE *scene, const char *name);
 
 /**
  * Gets the number of points that are pinned to markers.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
  */
 int v_scene_pin_count(const V_SCENE *scene, int *count);
 
 /**
  * Gets a pin as set by v_scene_pin(); pins are sorted by node and point and count from
  * 0. Any result may be NULL; the text is valid as for v_scene_get_name().
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
  */
 int v_scene_get_pin(const V_SCENE *scene,
                     int at,
@@ -2740,8 +2662,8 @@ int v_scene_get_pin(const V_SCENE *scene,
  * Gets the geometry of an object at rest, as set or read from a file; 0 points if it
  * has none. The arrays belong to the library and are valid until the scene is changed
  * or freed. Set mesh->size before.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT
- * (no object), V_ERR_RANGE, V_ERR_BUSY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT (no object), V_ERR_RANGE,
+ * V_ERR_BUSY.
  */
 int v_scene_get_geometry(const V_SCENE *scene,
                          int node,
@@ -2749,8 +2671,7 @@ int v_scene_get_geometry(const V_SCENE *scene,
 
 /**
  * Gets the number of shapes of an object.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no
- * object), V_ERR_RANGE, V_ERR_BUSY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no object), V_ERR_RANGE, V_ERR_BUSY.
  */
 int v_scene_shape_count(const V_SCENE *scene, int node, int *count);
 
@@ -2758,8 +2679,8 @@ int v_scene_shape_count(const V_SCENE *scene, int node, int *count);
  * Gets the name and the points of an object's shape; shapes count from 0. xyz receives
  * three numbers per point; capacity and *points count points. Any result may be NULL;
  * the text is valid as for v_scene_get_name().
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (more points
- * than room; *points is written), V_ERR_ARGUMENT (no object), V_ERR_RANGE, V_ERR_BUSY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (more points than room; *points is written),
+ * V_ERR_ARGUMENT (no object), V_ERR_RANGE, V_ERR_BUSY.
  */
 int v_scene_get_shape(const V_SCENE *scene,
                       int node,
@@ -2772,8 +2693,8 @@ int v_scene_get_shape(const V_SCENE *scene,
 /**
  * Removes a shape of an object. The numbers of later shapes decrease; all other shapes
  * keep their weights, also in a track of the channel "weights".
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no
- * object), V_ERR_RANGE, V_ERR_BUSY, V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no object), V_ERR_RANGE, V_ERR_BUSY,
+ * V_ERR_MEMORY.
  */
 int v_scene_remove_shape(V_SCENE *scene,
                          int node,
@@ -2781,8 +2702,7 @@ int v_scene_remove_shape(V_SCENE *scene,
 
 /**
  * Gets the number of deformations of an object.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no
- * object), V_ERR_RANGE, V_ERR_BUSY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no object), V_ERR_RANGE, V_ERR_BUSY.
  */
 int v_scene_deformation_count(const V_SCENE *scene, int node, int *count);
 
@@ -2792,9 +2712,8 @@ int v_scene_deformation_count(const V_SCENE *scene, int node, int *count);
  * of the geometry, box is 1 1 1 -1 -1 -1, which no other box is; give
  * v_scene_add_deformation() NULL then. Any result may be NULL; the text is valid as
  * for v_scene_get_name().
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (more
- * parameters than room; *count is written), V_ERR_ARGUMENT (no object), V_ERR_RANGE,
- * V_ERR_BUSY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (more parameters than room; *count is written),
+ * V_ERR_ARGUMENT (no object), V_ERR_RANGE, V_ERR_BUSY.
  */
 int v_scene_get_deformation(const V_SCENE *scene,
                             int node,
@@ -2811,8 +2730,7 @@ int v_scene_get_deformation(const V_SCENE *scene,
 /**
  * Gets the first and last frame: those of v_scene_set_range(), otherwise those of all
  * paths and keys; 1 and 1 if nothing moves. Any result may be NULL.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
- * V_ERR_BUSY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_BUSY.
  */
 int v_scene_frame_range(const V_SCENE *scene,
                         double *first,
@@ -2826,9 +2744,8 @@ int v_scene_frame_range(const V_SCENE *scene,
  * If a "host:" interpolation is not registered, fails or returns a number that is not
  * finite, its channel steps from key to key. The call then still returns V_OK, and
  * v_last_warning() reports it; "" if there is nothing to report.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (fewer than the
- * nodes; *count is written), V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
- * V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (fewer than the nodes; *count is written),
+ * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
  */
 int v_scene_evaluate(const V_SCENE *scene,
                      double frame,
@@ -2839,8 +2756,8 @@ int v_scene_evaluate(const V_SCENE *scene,
 /**
  * Gets count states of one node, at the frames first, first + frame_step and so on.
  * "host:" interpolations are handled as in v_scene_evaluate().
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
- * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
+ * V_ERR_MEMORY.
  */
 int v_scene_sample(const V_SCENE *scene,
                    int node,
@@ -2853,9 +2770,8 @@ int v_scene_sample(const V_SCENE *scene,
  * Gets the value of a channel (see v_scene_set_track()) at a frame, with or without a
  * track. *width receives the number of its components and may be NULL; values may be
  * NULL to get only that. "host:" interpolations are handled as in v_scene_evaluate().
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (fewer than the
- * channel has; *width is written), V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT,
- * V_ERR_BUSY, V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (fewer than the channel has; *width is
+ * written), V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
  */
 int v_scene_value(const V_SCENE *scene,
                   int node,
@@ -2870,9 +2786,8 @@ int v_scene_value(const V_SCENE *scene,
  * the node. xyz receives three numbers per point; capacity and *points count points.
  * *points may be NULL; xyz may be NULL to get only *points. "host:" interpolations are
  * handled as in v_scene_evaluate().
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (more points
- * than room; *points is written), V_ERR_ARGUMENT (no object), V_ERR_RANGE, V_ERR_BUSY,
- * V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (more points than room; *points is written),
+ * V_ERR_ARGUMENT (no object), V_ERR_RANGE, V_ERR_BUSY, V_ERR_MEMORY.
  */
 int v_scene_vertices(const V_SCENE *scene,
                      int node,
@@ -2894,12 +2809,12 @@ int v_scene_vertices(const V_SCENE *scene,
  *     counts; names that a format does not use are ignored
  *
  * What the format cannot hold is left out. The call then still returns V_OK, and
- * v_last_warning() lists the losses, one per line; "" if there are none.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY, V_ERR_ARGUMENT
- * (format, options, no such node, a host interpolation that fails), V_ERR_RANGE
- * (frames, fps), V_ERR_FORMAT (a folder that holds what would be read first),
- * V_ERR_IO, V_ERR_LIMIT, V_ERR_MEMORY. If memory runs out while a file is opened or
- * written, the program may end; the old file is kept.
+ * v_last_warning() lists the losses, one per line, or returns "".
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY, V_ERR_ARGUMENT (format, options, no such node,
+ * a host interpolation that fails), V_ERR_RANGE (frames, fps), V_ERR_FORMAT (a folder
+ * that holds what would be read first), V_ERR_IO, V_ERR_LIMIT, V_ERR_MEMORY. If memory
+ * runs out while a file is opened or written, the program may end; the old file is
+ * kept.
  */
 int v_scene_export(const V_SCENE *scene,
                    const char *file,
@@ -2918,10 +2833,9 @@ int v_scene_export(const V_SCENE *scene,
  *
  * The call returns V_OK even if parts of the file are ignored. v_last_warning() lists
  * them, and how well a path fits, one per line; "" if there is nothing to report.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT (format, options),
- * V_ERR_IO, V_ERR_FORMAT (with place and reason in v_last_error()), V_ERR_RANGE,
- * V_ERR_LIMIT, V_ERR_MEMORY. If memory runs out while the file is parsed, the program
- * may end.
+ * V_ERR_NULL, V_ERR_ARGUMENT (format, options), V_ERR_IO, V_ERR_FORMAT (with place and
+ * reason in v_last_error()), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY. If memory runs
+ * out while the file is parsed, the program may end.
  */
 int v_scene_import(const char *file,
                    const char *format,
@@ -2932,19 +2846,18 @@ int v_scene_import(const char *file,
 /* ---- Progress ---------------------------------------------------------------- */
 
 /**
- * Sets the function that the calling thread's long calls tell how far they are, ten times
- * a second at most and not in the first tenth of one; NULL: none, as at first. These are
- * v_path_fit_poses() and its kin, v_path_check(), v_path_retime(), v_path_steady(),
- * v_path_avoid(), v_path_keep_in_picture() and v_path_tour(). With objects of up to a
- * million triangles they ask at least twice a second, but for reading the object at the
- * beginning, which takes about two seconds for a million.
+ * Sets the function that reports the progress of the calling thread's long calls; NULL,
+ * the default: none. It is called at most ten times a second, and not in the first tenth.
+ * Long calls are v_path_fit_poses() and its variants, v_path_check(), v_path_retime(),
+ * v_path_steady(), v_path_avoid(), v_path_keep_in_picture() and v_path_tour(). With up to
+ * a million triangles they call it at least twice a second, except while they read the
+ * object at the start: about two seconds for a million.
  *
- * progress  share is from 0 to 1, and may fall where the work begins another round; if it
- *     returns 0, the call ends with V_ERR_REFUSED and has changed nothing. It may call any
- *     function; a path that is in use at that moment, as that of the call is, answers
- *     V_ERR_BUSY there. No exception or longjmp() may leave it
- * user  is handed to it
- * Any thread; from callbacks too.
+ * progress  share is from 0 to 1, and may fall when another round begins. If it returns
+ *     0, the call fails with V_ERR_REFUSED and changes nothing. It may call any function;
+ *     a path in use, such as that of the call, returns V_ERR_BUSY. No exception or
+ *     longjmp() may leave it
+ * user  your pointer, passed to progress
  */
 int v_set_progress(int (*progress)(double share, void *user),
                    void *user);
@@ -2953,19 +2866,19 @@ int v_set_progress(int (*progress)(double share, void *user),
 /* ---- Paths from recorded poses, checks --------------------------------------- */
 
 /**
- * A path of few support points that passes recorded poses: each position within
- * tolerance, each view, up and field of view within angle degrees, at its time, and as
- * smoothly as they do. Noise of up to half of that is taken out.
+ * Fits a path of few points to recorded poses: each position within tolerance, each view,
+ * up and field of view within angle degrees, at its time. Noise of up to half of that is
+ * removed.
  *
- * seconds  when each pose was taken, increasing; NULL: one a frame. Poses that span
- *     more than 100,000,000 frames, as those in nanoseconds do, are V_ERR_LIMIT
+ * seconds  when each pose was taken, increasing; NULL: one per frame. If they span more
+ *     than 100,000,000 frames, as nanoseconds do, the call fails with V_ERR_LIMIT
  * count    at least three
- * fps      frames in a second of the path
- * The space is the smallest round the positions, with a tenth to spare, and V_UP_Y.
- * *path is the caller's, to be freed with v_path_free().
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT (poses that are no
- * path: all the same, a number that is not finite, a view without direction),
- * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
+ * fps      frame rate of the path
+ * The space is the smallest cube around the positions, enlarged by a tenth, with V_UP_Y.
+ * Free *path with v_path_free().
+ * V_ERR_NULL, V_ERR_ARGUMENT (poses that are all the same, a number that is not
+ * finite, a view without direction), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY,
+ * V_ERR_REFUSED (v_set_progress()).
  */
 int v_path_fit_poses(const V_POSE *poses,
                      const double *seconds,
@@ -2976,13 +2889,13 @@ int v_path_fit_poses(const V_POSE *poses,
                      V_PATH **path);
 
 /**
- * As v_path_fit_poses(), in a space: what stands upright there does so for rolls and ups.
+ * Like v_path_fit_poses(), in a space whose up axis applies to rolls and ups.
  *
- * space   see v_space_init(). With half_size 0 only its up counts, and it is the
- *     smallest round the positions, as with NULL
- * *path is the caller's, to be freed with v_path_free().
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE,
- * V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
+ * space   see v_space_init(). With half_size 0 only its up axis counts, and the space is
+ *     the smallest cube around the positions, as with NULL
+ * Free *path with v_path_free().
+ * V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY,
+ * V_ERR_REFUSED (v_set_progress()).
  */
 int v_path_fit_poses_in_space(const V_POSE *poses,
                               const double *seconds,
@@ -2994,14 +2907,14 @@ int v_path_fit_poses_in_space(const V_POSE *poses,
                               V_PATH **path);
 
 /**
- * As v_path_fit_poses_in_space(), but poses that are off by more than the tolerance
- * from what those around them say are left out; the others are met.
+ * Like v_path_fit_poses_in_space(), but ignores outliers: poses that differ by more than
+ * the tolerance from what their neighbours suggest.
  *
- * left_out  how many are; may be NULL
- * v_last_warning() then says how many and which is the first, "" if none is.
- * *path is the caller's, to be freed with v_path_free().
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE,
- * V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
+ * left_out  the number of outliers; may be NULL
+ * v_last_warning() then returns their number and the first one, or "".
+ * Free *path with v_path_free().
+ * V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY,
+ * V_ERR_REFUSED (v_set_progress()).
  */
 int v_path_fit_poses_robust(const V_POSE *poses,
                             const double *seconds,
@@ -3014,52 +2927,50 @@ int v_path_fit_poses_robust(const V_POSE *poses,
                             V_PATH **path);
 
 /**
- * Looks for what will look wrong in the film. Of each kind there is one finding for
- * each run of frames, in the order of the frames. Lengths count in half sizes of the
- * space:
+ * Finds what will look wrong in the film: jerks, flips, collisions. Reports one finding
+ * per kind and run of frames, in the order of the frames. Lengths are in units of the
+ * space's half_size. In parentheses: the default limits.
  *
  * "space"         the camera is outside the space by more than the limit (0)
- * "cusp"          curve or pace nearly stop in a section (0.02 of the mean)
- * "speed-jump"    at a key, in shares of the mean speed (0.5)
- * "acceleration"  in half sizes a second squared (10)
+ * "cusp"          curve or speed nearly stop in a section (0.02 of the mean)
+ * "speed-jump"    at a key, as a fraction of the mean speed (0.5)
+ * "acceleration"  per second squared (10)
  * "view-jump"     degrees at once (1)
- * "turning"       degrees a second (60)
- * "turning-acceleration"  degrees a second squared (300)
- * "half-turn"     degrees from a half turn, that might go either way (0.1)
+ * "turning"       degrees per second (60)
+ * "turning-acceleration"  degrees per second squared (300)
+ * "half-turn"     degrees from a half turn, whose direction is ambiguous (0.1)
  * "pole"          degrees from straight up or down, below the limit (3)
  * "target"        the target is nearer than the limit (0.05)
  * "clearance"     the object is nearer than the limit (0.02)
- * "through"       the way leads through a triangle of the object
+ * "through"       the camera passes through a triangle of the object
  * "nothing-to-see"  nothing of the object in the picture, seconds (1)
- * "zoom"          mm a second (30)
- * "redundant"     the poses would be the same without a key: they change by less than
- *                 so many times 0.001 half sizes, 0.1 degrees and 0.1 mm (1)
- * "corner"        degrees by which the way turns at a point (60)
- * "jerk"          in half sizes a second cubed, the third difference of the places at
- *                 whole frames (off unless a limit is set)
- * "speed"         in half sizes a second (off unless a limit is set)
- * "crossing"      seconds in which what is in the middle of the picture, as far away as
- *                 the target (or the middle of the space), would cross it; below the
- *                 limit (off unless one is set)
- * "backwards"     the way goes back although the points lead on, in half sizes (0.001):
+ * "zoom"          mm per second (30)
+ * "redundant"     removing a key would change the poses by less than the limit times
+ *                 0.001, 0.1 degrees and 0.1 mm (1)
+ * "corner"        degrees by which the path turns at a point (60)
+ * "jerk"          per second cubed, the third difference of the positions at whole
+ *                 frames (off)
+ * "speed"         per second (off)
+ * "crossing"      seconds in which what is in the middle of the picture, at the distance
+ *                 of the target (or the middle of the space), would cross it; below the
+ *                 limit (off)
+ * "backwards"     the curve runs backwards between points that lead forwards (0.001);
  *                 a "centripetal" curve does not, see v_path_set_curve()
  *
  * A hold between sections without an ease, and a turn on the spot between such sections,
- * begin and end at once: that is a "speed-jump", an "acceleration" or a
- * "turning-acceleration" only if the limit of that kind is not the one above.
- * An object is asked three times for each frame, as v_path_avoid() does.
+ * begin and end abruptly. That is a "speed-jump", an "acceleration" or a
+ * "turning-acceleration" only if the limit of that kind is not the default.
+ * The distance to the object is computed three times per frame, as by v_path_avoid().
  *
- * object  what the camera must not come near to, in the coordinates of the path;
- *     NULL: the path's own object with its faces, if it has one
- * findings  room for capacity of them; *count is how many there are. With a
- *     capacity too small nothing else is written and the answer is V_ERR_SIZE;
- *     findings NULL with capacity 0 only asks for *count
- * v_last_warning() then has notes, "" if there are none: that the camera is inside
- * the object all the time, and what was not looked at (objects that move, what
- * a parent adds to the camera).
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE,
- * V_ERR_ARGUMENT (an object without geometry), V_ERR_RANGE, V_ERR_LIMIT,
- * V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
+ * object  the obstacle, in the coordinates of the path; NULL: the path's own object with
+ *     its faces, if it has one
+ * findings  space for capacity findings; *count is their number. If capacity is too
+ *     small, only *count is written and the call fails with V_ERR_SIZE; with findings NULL
+ *     and capacity 0, only *count is written
+ * v_last_warning() then returns notes: that the camera is inside the object all the time,
+ * and what was ignored (moving objects, the motion of the camera's parent); or "".
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT (an object without geometry),
+ * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
  */
 int v_path_check(const V_PATH *path,
                  const V_MESH *object,
@@ -3068,16 +2979,15 @@ int v_path_check(const V_PATH *path,
                  size_t *count);
 
 /**
- * Sets the limit of a kind of finding, see v_path_check(); it is kept in the file.
- * INFINITY: that kind is not looked for.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no such
- * kind), V_ERR_RANGE.
+ * Sets the limit of a kind of finding, see v_path_check(). The file keeps it. INFINITY
+ * disables the kind.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no such kind), V_ERR_RANGE.
  */
 int v_path_set_limit(V_PATH *path, const char *kind, double limit);
 
 /**
- * The limit of a kind of finding, see v_path_check(); INFINITY: not looked for.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT.
+ * Gets the limit of a kind of finding, see v_path_check(); INFINITY: disabled.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT.
  */
 int v_path_get_limit(const V_PATH *path, const char *kind, double *limit);
 
@@ -3085,44 +2995,36 @@ int v_path_get_limit(const V_PATH *path, const char *kind, double *limit);
 /* ---- Planning ---------------------------------------------------------------- */
 
 /**
- * Fills in the limits that a check has unless told (v_path_check()): acceleration 10,
- * turning 60, turning_acceleration 300, zoom 30, and no others. NULL does nothing but
- * set v_last_error(). In C a macro of this name hands the struct's size on to
- * v_limits_init_sized(); the function itself, for other languages, fills in the struct
- * of version 1.0.
- * Any thread; from callbacks too.
+ * Fills in the defaults of v_path_check(): acceleration 10, turning 60,
+ * turning_acceleration 300, zoom 30, and no other limits. NULL only sets v_last_error().
+ * In C, a macro of this name passes the struct's size to v_limits_init_sized(). The
+ * function itself, for other languages, fills in the struct of version 1.0.
  */
 void v_limits_init(V_LIMITS *limits);
 
 /**
- * As v_limits_init(), for a struct that is size bytes long. One shorter than in version
- * 1.0 stays as it is, and v_last_error() says so. What is behind the fields that the
- * library knows is not touched, and size is set to what was filled in.
- * Any thread; from callbacks too.
+ * Like v_limits_init(), for a struct of size bytes. It works as
+ * v_editor_options_init_sized().
  */
 void v_limits_init_sized(V_LIMITS *limits,
                          size_t size);
 
 /**
- * Computes the pace anew from the first orientation of one support point to the last
- * of another, as fast as the limits allow; the curve and the views stay where they
- * were in place. The way rests at the ends of an open path, where keys are held, and
- * where curve or view have a kink; v_last_warning() names these. What is beside the
- * points keeps its pace. Sections get fixed frames, a given distance and a curve time
- * of their own.
- *
- * It takes at most 40 rounds over the sections.
+ * Recomputes the speed profile between the first orientation of one point and the last of
+ * another, as fast as the limits allow. The curve and the views do not change. The camera
+ * rests at the ends of an open path, at held keys, and where curve or view have a kink;
+ * v_last_warning() lists these. Other sections keep their speed profile. The sections get
+ * fixed frames, a distance curve and a curve time. Takes at most 40 rounds over the
+ * sections.
  *
  * limits  see v_limits_init(); NULL: the path's own, see v_path_set_limit()
- * first_point, last_point  0 and the last: all, closed paths with the way back to
- *     the first point; on a closed path first_point may lie behind last_point
- * seconds  0: as few as the limits allow; else exactly so many, to a whole frame, with
- *     the lowest peaks; as everywhere those of the poses: at the path's end the last
- *     one has a frame, too
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE,
- * V_ERR_ARGUMENT (no limit, one that is not positive, too few seconds: v_last_error()
- * names the least), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED
- * (v_set_progress()).
+ * first_point, last_point  with 0 and the last point: the whole path, if closed with the
+ *     way back to the first point. On a closed path first_point may be after last_point
+ * seconds  0: as few as the limits allow; otherwise this duration, to a whole frame, with
+ *     the lowest peaks. It counts the last frame of the path, too
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT (no limit, one that is not
+ * positive, too few seconds: v_last_error() names the least), V_ERR_RANGE,
+ * V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
  */
 int v_path_retime(V_PATH *path,
                   const V_LIMITS *limits,
@@ -3131,40 +3033,40 @@ int v_path_retime(V_PATH *path,
                   double seconds);
 
 /**
- * A recorded flight without the shaking of a hand: places, views and zoom go through a low pass
- * without a lag, at whole frames, and become a path of few support points again, as
- * v_path_fit_poses() makes one, of as many frames. The first and the last pose stay. Names of
- * points, targets and modes go; a closed path comes back open. v_last_warning() says how far
- * it went from what it was.
+ * Stabilises a recorded flight: positions, views and zoom pass a low-pass filter without
+ * lag, at whole frames; v_path_fit_poses() then makes a path of few points and as many
+ * frames. The first and the last pose do not change. Names, targets and modes are
+ * discarded, and a closed path is open afterwards. v_last_warning() returns how far the
+ * path moved.
  *
- * seconds  half of a movement that takes so long there and back stays, hardly anything of
- *     quicker ones; greater than 0 and at most 2,000 frames
- * within   no place goes farther than so; 0: no bound
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (a path that
- * does not move, no path within the bound), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY,
- * V_ERR_REFUSED (v_set_progress()).
+ * seconds  cut-off period: motion of this period is halved, faster motion is removed;
+ *     > 0 and at most 2,000 frames
+ * within   maximum distance any position may move; 0: no limit
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (a path that does not move, no path within
+ * the limit), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED
+ * (v_set_progress()).
  */
 int v_path_steady(V_PATH *path,
                   double seconds,
                   double within);
 
 /**
- * Leads the way clear of an object: where the camera, or a sphere around it, comes nearer
- * than the clearance, or goes through it, points are moved as little as possible and as
- * few put in as it takes; points that were clear stay, but for those within a closed
- * part of the object between others outside. Frames and targets stay. v_last_warning()
- * has a line for each part that changed, "" if the way was clear.
+ * Moves a path away from an object. Where the camera, or a sphere around it, comes nearer
+ * than the clearance or passes through the object, points move as little as possible and
+ * as few as possible are added. Points that were clear do not move, except within a closed
+ * part of the object between others outside. Frames and targets do not change.
+ * v_last_warning() returns a line for each changed part, or "".
  *
- * Each part that is too near takes at most a few searches of a grid with 96 cells along its
- * longest side. A question to the object takes the logarithm of its triangles; where they
- * overlap widely, up to all of them.
+ * Each part takes at most a few searches of a grid with 96 cells along its longest side.
+ * A distance query takes the logarithm of the number of triangles; if they overlap widely,
+ * up to that number.
  *
  * object  in the coordinates of the path; NULL: the path's own
- * clearance, radius  in the path's units; the clearance greater than 0, the radius of the
- *     sphere 0 or greater
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT
- * (no way round: v_last_error() names the frame and the place; an object without
- * geometry), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
+ * clearance, radius  in the path's units; the clearance > 0, the radius of the sphere 0 or
+ *     more
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT (no way round: v_last_error()
+ * names the frame and the place; an object without geometry), V_ERR_RANGE,
+ * V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
  */
 int v_path_avoid(V_PATH *path,
                  const V_MESH *object,
@@ -3172,21 +3074,21 @@ int v_path_avoid(V_PATH *path,
                  double radius);
 
 /**
- * Keeps an object whole in the picture less margin, at every frame and between: by the
- * zoom or the distance as large as that allows and the path's limits of zoom, or of
- * speed and acceleration (see v_path_set_limit()), let it change; by turning no more
- * than it takes. Frames and pace stay. Where keys do not hold it points are added.
- * The path stays as it is where that cannot be. It looks at the object from 20 places for
- * each frame, at most 60 times from each.
+ * Keeps an object whole in the picture less margin, at every frame and between. With zoom
+ * or distance the object is as large as the margin and the path's limits of zoom, or of
+ * speed and acceleration, allow (v_path_set_limit()); with the view the camera turns no
+ * more than necessary. Frames and speed profile do not change. Points are added where keys
+ * are not enough. If it is not possible, the path is unchanged. Takes 20 positions per
+ * frame, each tried at most 60 times.
  *
  * object  in the coordinates of the path; NULL: the path's own, with the objects of
  *     its scene
- * margin  the share of the picture's width and height (36 x 24 mm) that stays free at
+ * margin  the fraction of the picture's width and height (36 x 24 mm) to keep free on
  *     each side, from 0 to below 0.5
  * what  V_PICTURE_ZOOM, V_PICTURE_DISTANCE or V_PICTURE_VIEW
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no object,
- * or where it cannot be whole, with the frame), V_ERR_RANGE, V_ERR_SIZE, V_ERR_LIMIT,
- * V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no object, or it does not fit into the
+ * picture, with the frame), V_ERR_RANGE, V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY,
+ * V_ERR_REFUSED (v_set_progress()).
  */
 int v_path_keep_in_picture(V_PATH *path,
                            const V_MESH *object,
@@ -3194,40 +3096,36 @@ int v_path_keep_in_picture(V_PATH *path,
                            int what);
 
 /**
- * Fills in a tour of 60 seconds that shows 0.95, from outside at a distance that is
- * found, as a closed round, with V_UP_Y. NULL does nothing but set v_last_error(). In C
- * a macro of this name hands the struct's size on to v_tour_init_sized(); the function
- * itself, for other languages, fills in the struct of version 1.0.
- * Any thread; from callbacks too.
+ * Fills in the default tour: 60 seconds, coverage 0.95, outside the object, at a distance
+ * that VIDES chooses, closed, V_UP_Y. NULL only sets v_last_error(). In C, a macro of this
+ * name passes the struct's size to v_tour_init_sized(). The function itself, for other
+ * languages, fills in the struct of version 1.0.
  */
 void v_tour_init(V_TOUR *tour);
 
 /**
- * As v_tour_init(), for a struct that is size bytes long. One shorter than in version
- * 1.0 stays as it is, and v_last_error() says so. What is behind the fields that the
- * library knows is not touched, and size is set to what was filled in.
- * Any thread; from callbacks too.
+ * Like v_tour_init(), for a struct of size bytes. It works as
+ * v_editor_options_init_sized().
  */
 void v_tour_init_sized(V_TOUR *tour,
                        size_t size);
 
 /**
- * A flight that shows an object which nobody has planned for: the fewest places found
- * from where so much of its surface is seen, a short round through them that keeps
- * clear of it, at a pace within the limits of a check (v_path_check()), 25 frames a
- * second.
+ * Plans a flight that shows an object: the fewest positions from which the wanted fraction
+ * of its surface is seen, a short path through them that keeps clear of it, and a speed
+ * profile within the limits of v_path_check(), at 25 frames per second.
  *
- * object  its triangles count. From outside only the side that normals point to counts
- *     where neighbouring triangles agree about it, else either does
- * tour  NULL: as v_tour_init() has it
- * coverage  the share that is shown of what can be seen; may be NULL
- * v_last_warning() then has two lines: places, coverage, length and seconds; what stays
- * unseen, and why.
- * *path is the caller's, to be freed with v_path_free(). It takes about 300 pictures'
- * time, for a million triangles some seconds, and about 300 bytes a triangle.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT (no surface, no
- * free place, too few seconds: v_last_error() names the least), V_ERR_RANGE,
- * V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
+ * object  its triangles count. From outside, only the side that the normals point to is
+ *     to be seen where neighbouring triangles agree about it, otherwise either side
+ * tour  NULL: the defaults of v_tour_init()
+ * coverage  the fraction shown of what can be seen; may be NULL
+ * v_last_warning() then returns two lines: positions, coverage, length and seconds; and
+ * what remains unseen, and why.
+ * Free *path with v_path_free(). Takes the time of about 300 pictures, some seconds for a
+ * million triangles, and about 300 bytes per triangle.
+ * V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT (no surface, no free place, too few seconds:
+ * v_last_error() names the least), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY,
+ * V_ERR_REFUSED (v_set_progress()).
  */
 int v_path_tour(const V_MESH *object,
                 const V_TOUR *tour,
@@ -3242,7 +3140,6 @@ int v_path_tour(const V_MESH *object,
  * NULL only sets v_last_error(). In C, a macro of this name passes the struct's size
  * to v_editor_options_init_sized(). The function itself, for other languages (ctypes,
  * JNI, bindgen), fills in the whole struct of version 1.0.
- * Any thread; from callbacks too.
  */
 void v_editor_options_init(V_EDITOR_OPTIONS *options);
 
@@ -3251,7 +3148,6 @@ void v_editor_options_init(V_EDITOR_OPTIONS *options);
  * filled in and leaves bytes after the fields that the library knows unchanged. A
  * struct shorter than in version 1.0 is left unchanged, and v_last_error() returns the
  * reason.
- * Any thread; from callbacks too.
  */
 void v_editor_options_init_sized(V_EDITOR_OPTIONS *options,
                                  size_t size);
@@ -3286,9 +3182,8 @@ int v_editor_close(V_EDITOR *editor);
 /**
  * Gets a copy of the path in a window; in a scene, that of the camera shown
  * (v_scene_get_camera()). Free *path with v_path_free().
- * The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
- * V_ERR_CLOSED, V_ERR_ARGUMENT (no camera, or it follows no path), V_ERR_MEMORY,
- * V_ERR_LIMIT.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no camera, or it follows no
+ * path), V_ERR_MEMORY, V_ERR_LIMIT.
  */
 int v_editor_get_path(const V_EDITOR *editor, V_PATH **path);
 
@@ -3298,8 +3193,8 @@ int v_editor_get_path(const V_EDITOR *editor, V_PATH **path);
  * Base speeds given when the window was opened are kept. In a scene it replaces the
  * path of the camera shown, which is then edited. The playhead stays at its frame if
  * the path has that frame; otherwise it goes to the current point.
- * The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
- * V_ERR_CLOSED, V_ERR_ARGUMENT (no camera, or it follows no path), V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no camera, or it follows no
+ * path), V_ERR_MEMORY.
  */
 int v_editor_set_path(V_EDITOR *editor,
                       const V_PATH *path);
@@ -3313,8 +3208,7 @@ int v_editor_set_path(V_EDITOR *editor,
  *
  * Changes that a callback makes with the functions of this section or with
  * v_editor_set_path() do not cause further callbacks.
- * The thread that opened the window; from callbacks too. V_ERR_HANDLE, V_ERR_CLOSED,
- * V_ERR_NULL (editor), V_ERR_ARGUMENT, V_ERR_RANGE.
+ * V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_NULL (editor), V_ERR_ARGUMENT, V_ERR_RANGE.
  */
 int v_editor_set_view(V_EDITOR *editor,
                       const V_POSE *pose);
@@ -3323,8 +3217,7 @@ int v_editor_set_view(V_EDITOR *editor,
  * Gets the frame at the playhead, counted from 1; v_path_pose() gets the camera there.
  * It may lie between two whole frames. In a scene it is a frame of the scene, as for
  * v_scene_evaluate().
- * The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
- * V_ERR_CLOSED, V_ERR_MEMORY, V_ERR_LIMIT.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_MEMORY, V_ERR_LIMIT.
  */
 int v_editor_get_frame(const V_EDITOR *editor,
                        double *frame);
@@ -3334,8 +3227,7 @@ int v_editor_get_frame(const V_EDITOR *editor,
  * two whole frames. The orientation that the camera comes from becomes current. In a
  * scene it is a frame of the scene, within v_scene_frame_range(), whatever is
  * selected.
- * The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
- * V_ERR_CLOSED, V_ERR_RANGE, V_ERR_MEMORY, V_ERR_LIMIT.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_RANGE, V_ERR_MEMORY, V_ERR_LIMIT.
  */
 int v_editor_set_frame(V_EDITOR *editor,
                        double frame);
@@ -3344,25 +3236,23 @@ int v_editor_set_frame(V_EDITOR *editor,
  * Plays the flight from the playhead, or from the beginning if that is at the end;
  * play 0 stops. It starts when the window is next served, and continues whether or not
  * the window is visible.
- * The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
- * V_ERR_CLOSED.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED.
  */
 int v_editor_play(V_EDITOR *editor,
                   int play);
 
 /**
  * Makes an orientation of a point current, both counted from 0.
- * The thread that opened the window; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no path is edited), V_ERR_RANGE.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no path is edited),
+ * V_ERR_RANGE.
  */
 int v_editor_select(V_EDITOR *editor, int point, int orientation);
 
 /**
  * Replaces the object shown, in one step that the user can undo. The mesh is copied;
  * NULL removes the object.
- * The thread that opened the window; from callbacks too. V_ERR_NULL (editor),
- * V_ERR_SIZE, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT,
- * V_ERR_MEMORY.
+ * V_ERR_NULL (editor), V_ERR_SIZE, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT,
+ * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_editor_set_object(V_EDITOR *editor,
                         const V_MESH *object);
@@ -3370,15 +3260,13 @@ int v_editor_set_object(V_EDITOR *editor,
 /**
  * Sets the text after "VIDES" in the window's title: UTF-8, one line (control
  * characters are shown as spaces); NULL: the name of the file.
- * The thread that opened the window; from callbacks too. V_ERR_NULL (editor),
- * V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT, V_ERR_MEMORY.
+ * V_ERR_NULL (editor), V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT, V_ERR_MEMORY.
  */
 int v_editor_set_title(V_EDITOR *editor, const char *title);
 
 /**
  * Gets whether closing a window would lose work: *modified is 1 or 0.
- * The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
- * V_ERR_CLOSED.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED.
  */
 int v_editor_is_modified(const V_EDITOR *editor, int *modified);
 
@@ -3386,8 +3274,7 @@ int v_editor_is_modified(const V_EDITOR *editor, int *modified);
  * Marks the contents of a window as saved, after your program has kept them, for
  * example from v_editor_get_path(). They count as saved until the next change and are
  * not offered at the next start.
- * The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
- * V_ERR_CLOSED.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED.
  */
 int v_editor_mark_saved(V_EDITOR *editor);
 
@@ -3395,17 +3282,15 @@ int v_editor_mark_saved(V_EDITOR *editor);
  * Saves the contents of a window to a .vid file, replacing an existing one; the window
  * edits that file from then on. NULL: its own file, unless another program has changed
  * it meanwhile.
- * The thread that opened the window; from callbacks too. V_ERR_NULL (editor),
- * V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no file yet, or changed by others),
- * V_ERR_IO, V_ERR_MEMORY.
+ * V_ERR_NULL (editor), V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no file yet, or
+ * changed by others), V_ERR_IO, V_ERR_MEMORY.
  */
 int v_editor_save(V_EDITOR *editor,
                   const char *file);
 
 /**
  * Raises a window above all others, if the desktop allows it.
- * The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
- * V_ERR_CLOSED, V_ERR_DISPLAY.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_DISPLAY.
  */
 int v_editor_raise(V_EDITOR *editor);
 
@@ -3431,8 +3316,7 @@ int v_editors_close(int ask);
 /**
  * Gets a copy of the scene in a window; if the window has only a path, a scene with a
  * camera on it. Free *scene with v_scene_free().
- * The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
- * V_ERR_CLOSED, V_ERR_MEMORY, V_ERR_LIMIT.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_MEMORY, V_ERR_LIMIT.
  */
 int v_editor_get_scene(const V_EDITOR *editor,
                        V_SCENE **scene);
@@ -3448,8 +3332,8 @@ int v_editor_get_scene(const V_EDITOR *editor,
  * one, is edited, with the base speeds given when the window was opened. A scene with
  * nothing but one camera on a path is treated as that path. A drag in progress ends
  * where it is. The playhead stays at its frame if the scene has that frame.
- * The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
- * V_ERR_CLOSED, V_ERR_BUSY, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY, V_ERR_LIMIT.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_BUSY, V_ERR_ARGUMENT, V_ERR_RANGE,
+ * V_ERR_MEMORY, V_ERR_LIMIT.
  */
 int v_editor_set_scene(V_EDITOR *editor,
                        const V_SCENE *scene);
@@ -3460,15 +3344,13 @@ int v_editor_set_scene(V_EDITOR *editor,
 /**
  * Undoes the last step of a window, like Ctrl-Z. A window keeps the last 10,000 steps,
  * and at most 256 MiB of what they changed.
- * The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
- * V_ERR_CLOSED, V_ERR_ARGUMENT (nothing to undo).
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (nothing to undo).
  */
 int v_editor_undo(V_EDITOR *editor);
 
 /**
  * Redoes the step that was undone last, like Ctrl-Y.
- * The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
- * V_ERR_CLOSED, V_ERR_ARGUMENT (nothing to redo).
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (nothing to redo).
  */
 int v_editor_redo(V_EDITOR *editor);
 
@@ -3476,23 +3358,21 @@ int v_editor_redo(V_EDITOR *editor);
  * Begins a group of changes that the user undoes as one step: all changes in a window
  * until v_editor_end_step(), yours and the user's. It replaces a group begun before;
  * loading another document in the window ends it.
- * The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
- * V_ERR_CLOSED.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED.
  */
 int v_editor_begin_step(V_EDITOR *editor);
 
 /**
  * Ends the group begun by v_editor_begin_step(); does nothing without one.
- * The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
- * V_ERR_CLOSED.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED.
  */
 int v_editor_end_step(V_EDITOR *editor);
 
 /**
  * Gets the current point and orientation, both counted from 0, see v_editor_select().
  * Any result may be NULL.
- * The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
- * V_ERR_CLOSED, V_ERR_ARGUMENT (no path of its scene is edited).
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no path of its scene is
+ * edited).
  */
 int v_editor_get_selection(const V_EDITOR *editor,
                            int *point,
@@ -3500,8 +3380,7 @@ int v_editor_get_selection(const V_EDITOR *editor,
 
 /**
  * Gets whether a window is playing, see v_editor_play(): *playing is 1 or 0.
- * The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
- * V_ERR_CLOSED.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED.
  */
 int v_editor_is_playing(const V_EDITOR *editor, int *playing);
 
@@ -3515,7 +3394,7 @@ int v_editor_is_playing(const V_EDITOR *editor, int *playing);
  * Quaternions are w, x, y, z. Arguments are normalized; V_ERR_ARGUMENT if one is zero
  * or not finite. The identity is a camera that looks along (0, 0, 1) with (0, 1, 0)
  * up. Results may be the same arrays as arguments.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT.
+ * V_ERR_NULL, V_ERR_ARGUMENT.
  */
 int v_quat_slerp(const double a[4],
                  const double b[4],
@@ -3526,7 +3405,7 @@ int v_quat_slerp(const double a[4],
  * Gets the quaternion of a camera that looks along vpn with vup up. Both may have any
  * length but zero; vup need not be perpendicular to vpn, but must not be parallel to
  * it.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT.
+ * V_ERR_NULL, V_ERR_ARGUMENT.
  */
 int v_quat_from_view(const double vpn[3],
                      const double vup[3],
@@ -3534,7 +3413,7 @@ int v_quat_from_view(const double vpn[3],
 
 /**
  * Gets the view direction and up vector of a quaternion. Any result may be NULL.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT.
+ * V_ERR_NULL, V_ERR_ARGUMENT.
  */
 int v_view_from_quat(const double q[4], double vpn[3], double vup[3]);
 
@@ -3546,8 +3425,7 @@ int v_view_from_quat(const double q[4], double vpn[3], double vup[3]);
  * key_times  the time of each key, strictly increasing
  * count  at least 2
  * when   from the first time to the last
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE,
- * V_ERR_LIMIT, V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_quat_spline(const double *keys,
                   const double *key_times,
@@ -3559,8 +3437,7 @@ int v_quat_spline(const double *keys,
  * Like v_quat_spline(), on a cubic spherical curve with tension, continuity and bias.
  *
  * tcb  tension, continuity and bias of each key, each from -1 to 1; NULL: all zero
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE,
- * V_ERR_LIMIT, V_ERR_MEMORY.
+ * V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_quat_tcb_spline(const double *keys,
                       const double *key_times,
@@ -3581,7 +3458,7 @@ int v_quat_tcb_spline(const double *keys,
  * speed_at_u         the speed at u
  * distance_fraction  the fraction of the distance covered at u, 0 to 1
  * Any result may be NULL.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE.
+ * V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE.
  */
 int v_speed_curve(const double speed[10],
                   const double *before,
@@ -3599,9 +3476,8 @@ int v_speed_curve(const double speed[10],
  * projection, x and y are then from -1 to 1, and z is 0 in the front plane and -1 in
  * the back plane. In a perspective projection, |x| and |y| are at most z, and z is 1
  * in the back plane.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT (up parallel
- * to normal), V_ERR_RANGE (prp not in front of the front plane, back plane not behind
- * it, empty window).
+ * V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT (up parallel to normal), V_ERR_RANGE (prp not
+ * in front of the front plane, back plane not behind it, empty window).
  */
 int v_view_matrix(const V_VIEW *view,
                   double m[16]);
@@ -3610,7 +3486,7 @@ int v_view_matrix(const V_VIEW *view,
  * Gets the perspective view of a camera in a pose. aspect is the width of the picture
  * divided by its height; front and back are the distances of the planes from the
  * camera, 0 < front < back. Set view->size before.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE.
+ * V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE.
  */
 int v_view_from_pose(const V_POSE *pose,
                      double aspect,
@@ -3621,7 +3497,7 @@ int v_view_from_pose(const V_POSE *pose,
 /**
  * Gets the matrix of a camera in a pose as gluLookAt() makes it, for glLoadMatrixd():
  * 16 numbers, column by column, from the world to the eye, looking along -z.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE.
+ * V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE.
  */
 int v_pose_gl_matrix(const V_POSE *pose,
                      double m[16]);
@@ -3632,7 +3508,7 @@ int v_pose_gl_matrix(const V_POSE *pose,
  * is 24.
  *
  * zoom, height  finite and > 0
- * Any thread; from callbacks too. NaN for anything else; v_last_error() returns why.
+ * NaN for anything else; v_last_error() returns why.
  */
 double v_fov_from_zoom(double zoom,
                        double height);
@@ -3644,7 +3520,7 @@ double v_fov_from_zoom(double zoom,
  *
  * fov     in degrees, between 0 and 180, both excluded
  * height  finite and > 0
- * Any thread; from callbacks too. NaN for anything else; v_last_error() returns why.
+ * NaN for anything else; v_last_error() returns why.
  */
 double v_zoom_from_fov(double fov,
                        double height);
@@ -3657,7 +3533,7 @@ double v_zoom_from_fov(double fov,
  * to_world    0: world to camera (the view matrix), with V_AXES_OPENGL equal to that
  *     of v_pose_gl_matrix(), bit for bit. Otherwise camera to world: the columns are
  *     the axes and vrp
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE.
+ * V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE.
  */
 int v_pose_matrix(const V_POSE *pose,
                   int convention,
@@ -3677,8 +3553,8 @@ int v_pose_matrix(const V_POSE *pose,
  * to_world    0: m is world to camera (the view matrix); otherwise camera to world
  * zoom        zoom of the pose, finite and > 0, which a matrix does not have; from a
  *     vertical angle: v_zoom_from_fov(angle, 24)
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT (a matrix that mirrors,
- * shears, projects or is not finite; zoom), V_ERR_RANGE (convention).
+ * V_ERR_NULL, V_ERR_ARGUMENT (a matrix that mirrors, shears, projects or is not
+ * finite; zoom), V_ERR_RANGE (convention).
  */
 int v_pose_from_matrix(const double m[16],
                        int convention,
@@ -3702,8 +3578,7 @@ int v_pose_from_matrix(const double m[16],
  * angles      degrees about x, y and z, listed so for any order. The second turn is
  *     within -90 to 90, the others within -180 to 180. If it is 90 or -90, the other
  *     two turn about the same axis and share its angle
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE (convention,
- * order).
+ * V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE (convention, order).
  */
 int v_pose_to_euler(const V_POSE *pose,
                     int convention,
@@ -3717,8 +3592,7 @@ int v_pose_to_euler(const V_POSE *pose,
  * vrp     position of the camera
  * angles  degrees about x, y and z
  * zoom    zoom of the pose, finite and > 0
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT (not finite; zoom),
- * V_ERR_RANGE (convention, order).
+ * V_ERR_NULL, V_ERR_ARGUMENT (not finite; zoom), V_ERR_RANGE (convention, order).
  */
 int v_pose_from_euler(const double vrp[3],
                       const double angles[3],
@@ -3737,7 +3611,7 @@ int v_pose_from_euler(const double vrp[3],
  * near_plane  distance of the front plane, > 0
  * far_plane   distance of the back plane, > near_plane; INFINITY: no back plane
  * convention  V_CLIP_..., optionally | V_CLIP_REVERSED
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_RANGE.
+ * V_ERR_NULL, V_ERR_RANGE.
  */
 int v_pose_projection(const V_POSE *pose,
                       double aspect,

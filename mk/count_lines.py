@@ -2,7 +2,7 @@
 
 Tests are what stands in `tests/`, in files `tests.rs`, `*_tests.rs` or in a folder `tests`, in modules
 behind `#[cfg(test)]`, and in the files to which such modules lead (`#[path]`, `mod name;`).
-Usage: count_lines.py [FOLDER]; --check tries it on a few files of its own.
+Usage: count_lines.py [FOLDER]; --check tests it on a few sample files.
 """
 
 import pathlib
@@ -22,7 +22,7 @@ def is_test(path):
 
 
 def scanned(path):
-    """Lines of code and of tests in a file, and the modules in files of their own that it declares:
+    """Lines of code and of tests in a file, and the modules in separate files that it declares:
     name, `#[path]` or none, whether for tests only."""
     code = tests = 0
     modules = []
@@ -84,7 +84,7 @@ def counted(root):
 
 
 def check():
-    """Each way to a test, in a folder of its own."""
+    """Each way to a test, in a separate folder."""
     files = {
         "lib.rs": '#[cfg(test)]\nmod testing;\nmod code;\n#[cfg(test)]\n#[path = "odd/name.rs"]\nmod odd;\nmod code2;\n',
         "testing.rs": "pub mod helper;\nfn a() {}\n",

@@ -11,7 +11,7 @@ command -v rustup >/dev/null || { echo 'miri: rustup is needed' >&2; exit 1; }
 cargo +nightly miri --version >/dev/null 2>&1 ||
     rustup toolchain install nightly --profile minimal --component miri,rust-src --no-self-update
 place=$(realpath -m "${CARGO_TARGET_DIR:-target}")/miri
-# Miri's sines are wrong in their last bits at random unless it is told not to; equal paths would
+# Miri's sines are wrong in their last bits at random by default; equal paths would
 # have unequal poses.
 export MIRIFLAGS='-Zmiri-disable-isolation -Zmiri-deterministic-floats' PROPTEST_CASES=1
 

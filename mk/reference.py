@@ -44,6 +44,10 @@ class Item:
         table, lines = self.paragraphs()[0]
         return self.part if table else re.split(r"[.:;](?: |$)", " ".join(lines))[0]
 
+    @staticmethod
+    def lists_statuses(lines):
+        return bool(lines) and lines[0].startswith("V_ERR_")
+
     def paragraphs(self):
         """The comment as (is a table, lines): of tables the lines stay as they are."""
         found = [(False, [])]
@@ -52,7 +56,8 @@ class Item:
             if not line:
                 found.append((False, []))
                 continue
-            if table != found[-1][0] or line.startswith(("Any thread", "From the thread")):
+            statuses = line.startswith(("V_ERR_", "Any thread", "From the thread"))
+            if table != found[-1][0] or statuses and not self.lists_statuses(found[-1][1]):
                 found.append((table, []))
             found[-1][1].append(line)
         return [(table, lines) for table, lines in found if lines]

@@ -1,5 +1,5 @@
 #!/bin/sh
-# rustc, so that nothing that is shipped tells of the machine it was built on: rustc.sh RUSTC ...
+# rustc, so that nothing shipped reveals the machine it was built on: rustc.sh RUSTC ...
 #
 # Paths of crates and of what their build scripts made become /cargo and /out in messages of panics.
 # With debugging information they stay, since debuggers look there for the source. (`trim-paths`

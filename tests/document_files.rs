@@ -115,7 +115,7 @@ const BROKEN: &[(&str, &str)] = &[
     ("preset_ten", "line 5: preset: must lie between 0 and 9"),
     (
         "space_far",
-        "line 2: space: the centre of the space must lie within 1e9 half sizes of the world's origin",
+        "line 2: space: the centre of the space must lie within 1e9 half edges of the world's origin",
     ),
     (
         "space_origin",
@@ -127,7 +127,7 @@ const BROKEN: &[(&str, &str)] = &[
     ),
     (
         "space_too_small_for_its_points",
-        "line 3: position: a coordinate must lie within 1e9 half sizes of the space's centre",
+        "line 3: position: a coordinate must lie within 1e9 half edges of the space's centre",
     ),
     ("space_up", "line 3: up: must be \"y\" or \"z\""),
     (

@@ -375,7 +375,7 @@ fn at_the_end_of_the_world_there_is_no_absolute_target_ahead() {
     };
     assert_eq!(
         refused(&mut document, absolute(0)),
-        "a target in this direction would lie further out than 1e9 half sizes"
+        "a target in this direction would lie farther than 1e9 half edges of the space"
     );
     document.apply(absolute(1)).unwrap();
 }

@@ -161,7 +161,7 @@ fn a_wrong_value_is_told_with_its_line() {
         ),
         (
             "ahead = -0.5",
-            "line 6: ahead: the distance ahead must lie between 0 and 1e9 half sizes of the space",
+            "line 6: ahead: the distance ahead must lie between 0 and 1e9 half edges of the space",
         ),
         (
             "up = \"down\"",

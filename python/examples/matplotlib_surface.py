@@ -18,7 +18,7 @@ import vides
 
 
 def surface() -> np.ndarray:
-    """(m, 4, 3): the corners of each patch, y upright."""
+    """(m, 4, 3): the corners of each patch, y up."""
     x, z = np.meshgrid(np.linspace(-2, 2, 41), np.linspace(-2, 2, 41))
     y = np.exp(-(x**2) - z**2) * np.cos(3 * x)
     grid = np.stack([x, y, z], axis=-1)

@@ -13,7 +13,7 @@ def main(folder: str, frames: int = 50) -> list[Path]:
     torus = pyvista.ParametricTorus(ringradius=2, crosssectionradius=0.5)
     torus["height"] = torus.points[:, 2]
 
-    # Once through the ring and round it, looking at its middle; pyvista has z upright.
+    # Once through the ring and round it, looking at its middle; pyvista has z up.
     around = np.linspace(0, 2 * np.pi, 12, endpoint=False)
     points = np.stack([4 * np.cos(around), 1 + 3 * np.sin(around), 2 * np.sin(around)], axis=1)
     path = vides.Path(points, look_at=(0, 0, 0), up="z", closed=True, frames=frames)

@@ -78,7 +78,7 @@ class Property(NamedTuple):
     range: tuple[float, float] | None
     """The least and the greatest value, if they are fixed."""
     new: str
-    """The default as in files; empty if there is none."""
+    """The default as in files; "" without a default."""
 
 
 def properties() -> list[Property]:

@@ -32,7 +32,7 @@ pub(super) struct Arguments {
     choices: Choices,
 }
 
-/// The options of all formats, as their table has them.
+/// The options of all formats, from their table.
 struct Choices(Options);
 
 impl FromArgMatches for Choices {

@@ -62,7 +62,7 @@ pub(super) fn output_failed(error: &io::Error) -> Failure {
     }
 }
 
-/// Nobody could be told of a failing standard error.
+/// A failing standard error cannot be reported.
 pub(super) fn complain(message: &str) {
     let _ = writeln!(io::stderr(), "vides: {}", lines(message));
 }

@@ -61,7 +61,7 @@ fn cube(text: &str) -> Result<Space, String> {
     })
 }
 
-/// Says so where the seconds of poses are not those of their frames: the frames tell the times.
+/// Warns where the seconds of poses differ from their frames, whose times are used.
 fn compare(name: &str, frames: &[f64], seconds: &[f64], fps: f64) {
     let (Some(frame), Some(second)) = (frames.first(), seconds.first()) else {
         return;
@@ -102,7 +102,7 @@ fn told(left_out: &[usize], all: usize, frames: Option<&[f64]>) -> String {
     text
 }
 
-/// So many poses that are left out are named.
+/// The maximum number of ignored poses that a message lists.
 const LISTED: usize = 50;
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {

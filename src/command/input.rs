@@ -31,7 +31,7 @@ fn not_read(file: &Path, document: &Document) -> Option<vides::Error> {
     inside(file.parent()?, &source.file).err()
 }
 
-/// Tells what was wrong with the meshes that a file names.
+/// Reports faults in the meshes that a file names.
 pub(super) fn warn(name: &str, warnings: &[vides::Error]) {
     for warning in warnings {
         complain(&one_line(&format!("{name}: {warning}")));

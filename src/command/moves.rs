@@ -35,7 +35,7 @@ pub(super) fn numbers(text: &str) -> Result<Vec<f64>, String> {
         .collect()
 }
 
-/// An axis that may stand upright.
+/// An up axis.
 pub(super) fn up() -> impl TypedValueParser<Value = Up> {
     PossibleValuesParser::new([Up::Y.name(), Up::Z.name()])
         .map(|name| if name == Up::Z.name() { Up::Z } else { Up::Y })
@@ -85,7 +85,7 @@ impl Args for Arguments {
                         .long("up")
                         .value_name("AXIS")
                         .value_parser(up())
-                        .help("Which axis stands upright [default: that of --object, else y]"),
+                        .help("Which axis is up [default: that of --object, else y]"),
                 )
                 .arg(
                     Arg::new("object")

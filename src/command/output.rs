@@ -18,7 +18,7 @@ pub(super) struct Output {
     output: PathBuf,
 }
 
-/// What stands behind the name of an output.
+/// The kind of thing that an output's name refers to.
 pub(super) enum Sink {
     Standard,
     /// A pipe or a device, which cannot be replaced as a file is.
@@ -39,7 +39,7 @@ impl Sink {
     }
 }
 
-/// Whether the name means standard output, so that what stands there is written on and not replaced.
+/// Whether the name means standard output, which is appended to and not replaced.
 pub(super) fn is_standard_output(out: &Path) -> bool {
     let names = ["-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"];
     names.iter().any(|name| out.as_os_str() == *name)

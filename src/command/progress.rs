@@ -56,7 +56,7 @@ impl<W: Write> Bar<W> {
     }
 }
 
-/// A bar for work that is told how far it is and asks whether to go on, where standard error is a
+/// A bar for work that reports its progress and asks whether to go on, where standard error is a
 /// terminal.
 pub(super) fn progress(what: &'static str) -> impl FnMut(usize, usize) -> bool {
     let shown = io::stderr().is_terminal();
@@ -118,7 +118,7 @@ fn line(waited: Duration, done: usize, all: usize, what: Option<&str>) -> String
 mod tests {
     use super::*;
 
-    /// What a bar writes when it is told of these moments.
+    /// What a bar writes at these moments.
     fn shown(moments: &[(u64, usize)], all: usize) -> String {
         let mut out = Vec::new();
         let mut bar = Bar::new(&mut out, Some("frames"));

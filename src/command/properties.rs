@@ -23,7 +23,7 @@ pub(super) struct Get {
     names: Vec<String>,
 }
 
-/// What `vides set` is told.
+/// The arguments of `vides set`.
 #[derive(Args)]
 pub(super) struct Set {
     /// The path or scene; - is standard input

@@ -1,4 +1,4 @@
-//! `vides retime`: the pace of a path computed anew within limits.
+//! `vides retime`: recomputes the speed profile of a path within limits.
 
 use std::path::PathBuf;
 

@@ -82,7 +82,7 @@ impl Arguments {
 #[derive(Args)]
 #[command(next_help_heading = "Base speeds, instead of the file's; each > 0")]
 struct Speeds {
-    /// Frames per half size of the space at speed 50
+    /// Frames for moving by half the edge of the space, at speed 50
     #[arg(long, value_name = "FRAMES", value_parser = base_speed, allow_negative_numbers = true)]
     move_frames: Option<f64>,
 

@@ -1,4 +1,4 @@
-//! `vides steady`: a recorded flight without the shaking of a hand.
+//! `vides steady`: stabilises a recorded flight.
 
 use std::path::PathBuf;
 

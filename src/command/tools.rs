@@ -85,7 +85,7 @@ fn vector(text: &str) -> Result<DVec3, String> {
     }
 }
 
-/// How long a path shall be.
+/// The wanted duration of a path.
 #[derive(Clone, Copy)]
 pub(super) enum Length {
     Frames(usize),
@@ -103,7 +103,7 @@ fn length(text: &str) -> Result<Length, String> {
     }
 }
 
-/// The frames of so many seconds, no more than a film may have.
+/// The frames of a duration, at most those that a film may have.
 fn whole_frames(seconds: f64, fps: f64) -> Result<usize, Failure> {
     let frames = (seconds * fps).round();
     if frames > MAX_FRAMES as f64 {

@@ -32,7 +32,7 @@ impl Returned for () {
 }
 
 /// Runs the body of an export: clears the last error, and sets it on failure. A panic must not
-/// unwind into C, so it is caught and `on_panic` returned. Unwind safety: only a path or a scene
+/// unwind into C, so this catches it and returns `on_panic`. Unwind safety: only a path or a scene
 /// could be left half changed, and its lock is poisoned then.
 pub(super) fn border<T: Returned>(on_panic: T, body: impl FnOnce() -> Answer<T>) -> T {
     clear_last_error();

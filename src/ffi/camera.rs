@@ -125,7 +125,7 @@ fn clip(number: c_int) -> Answer<Clip> {
 /// to_world    0: world to camera (the view matrix), with V_AXES_OPENGL equal to that
 ///     of v_pose_gl_matrix(), bit for bit. Otherwise camera to world: the columns are
 ///     the axes and vrp
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE.
+/// V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[m; 16]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_pose_matrix(
@@ -162,8 +162,8 @@ pub unsafe extern "C" fn v_pose_matrix(
 /// to_world    0: m is world to camera (the view matrix); otherwise camera to world
 /// zoom        zoom of the pose, finite and > 0, which a matrix does not have; from a
 ///     vertical angle: v_zoom_from_fov(angle, 24)
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT (a matrix that mirrors,
-/// shears, projects or is not finite; zoom), V_ERR_RANGE (convention).
+/// V_ERR_NULL, V_ERR_ARGUMENT (a matrix that mirrors, shears, projects or is not
+/// finite; zoom), V_ERR_RANGE (convention).
 /// cbindgen:ptrs-as-arrays=[[m; 16]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_pose_from_matrix(
@@ -200,8 +200,7 @@ pub unsafe extern "C" fn v_pose_from_matrix(
 /// angles      degrees about x, y and z, listed so for any order. The second turn is
 ///     within -90 to 90, the others within -180 to 180. If it is 90 or -90, the other
 ///     two turn about the same axis and share its angle
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE (convention,
-/// order).
+/// V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE (convention, order).
 /// cbindgen:ptrs-as-arrays=[[angles; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_pose_to_euler(
@@ -228,8 +227,7 @@ pub unsafe extern "C" fn v_pose_to_euler(
 /// vrp     position of the camera
 /// angles  degrees about x, y and z
 /// zoom    zoom of the pose, finite and > 0
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT (not finite; zoom),
-/// V_ERR_RANGE (convention, order).
+/// V_ERR_NULL, V_ERR_ARGUMENT (not finite; zoom), V_ERR_RANGE (convention, order).
 /// cbindgen:ptrs-as-arrays=[[vrp; 3], [angles; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_pose_from_euler(
@@ -274,7 +272,7 @@ pub unsafe extern "C" fn v_pose_from_euler(
 /// near_plane  distance of the front plane, > 0
 /// far_plane   distance of the back plane, > near_plane; INFINITY: no back plane
 /// convention  V_CLIP_..., optionally | V_CLIP_REVERSED
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_RANGE.
+/// V_ERR_NULL, V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[m; 16]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_pose_projection(

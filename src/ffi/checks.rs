@@ -77,19 +77,19 @@ fn finding(found: &Finding) -> Answer<V_FINDING> {
 
 /// ==== Paths from recorded poses, checks ====
 ///
-/// A path of few support points that passes recorded poses: each position within
-/// tolerance, each view, up and field of view within angle degrees, at its time, and as
-/// smoothly as they do. Noise of up to half of that is taken out.
+/// Fits a path of few points to recorded poses: each position within tolerance, each view,
+/// up and field of view within angle degrees, at its time. Noise of up to half of that is
+/// removed.
 ///
-/// seconds  when each pose was taken, increasing; NULL: one a frame. Poses that span
-///     more than 100,000,000 frames, as those in nanoseconds do, are V_ERR_LIMIT
+/// seconds  when each pose was taken, increasing; NULL: one per frame. If they span more
+///     than 100,000,000 frames, as nanoseconds do, the call fails with V_ERR_LIMIT
 /// count    at least three
-/// fps      frames in a second of the path
-/// The space is the smallest round the positions, with a tenth to spare, and V_UP_Y.
-/// *path is the caller's, to be freed with v_path_free().
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT (poses that are no
-/// path: all the same, a number that is not finite, a view without direction),
-/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
+/// fps      frame rate of the path
+/// The space is the smallest cube around the positions, enlarged by a tenth, with V_UP_Y.
+/// Free *path with v_path_free().
+/// V_ERR_NULL, V_ERR_ARGUMENT (poses that are all the same, a number that is not
+/// finite, a view without direction), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY,
+/// V_ERR_REFUSED (v_set_progress()).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_fit_poses(
     poses: *const V_POSE,
@@ -105,13 +105,13 @@ pub unsafe extern "C" fn v_path_fit_poses(
     unsafe { v_path_fit_poses_in_space(poses, seconds, count, fps, tolerance, angle, space, path) }
 }
 
-/// As v_path_fit_poses(), in a space: what stands upright there does so for rolls and ups.
+/// Like v_path_fit_poses(), in a space whose up axis applies to rolls and ups.
 ///
-/// space   see v_space_init(). With half_size 0 only its up counts, and it is the
-///     smallest round the positions, as with NULL
-/// *path is the caller's, to be freed with v_path_free().
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE,
-/// V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
+/// space   see v_space_init(). With half_size 0 only its up axis counts, and the space is
+///     the smallest cube around the positions, as with NULL
+/// Free *path with v_path_free().
+/// V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY,
+/// V_ERR_REFUSED (v_set_progress()).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_fit_poses_in_space(
     poses: *const V_POSE,
@@ -135,14 +135,14 @@ pub unsafe extern "C" fn v_path_fit_poses_in_space(
     })
 }
 
-/// As v_path_fit_poses_in_space(), but poses that are off by more than the tolerance
-/// from what those around them say are left out; the others are met.
+/// Like v_path_fit_poses_in_space(), but ignores outliers: poses that differ by more than
+/// the tolerance from what their neighbours suggest.
 ///
-/// left_out  how many are; may be NULL
-/// v_last_warning() then says how many and which is the first, "" if none is.
-/// *path is the caller's, to be freed with v_path_free().
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE,
-/// V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
+/// left_out  the number of outliers; may be NULL
+/// v_last_warning() then returns their number and the first one, or "".
+/// Free *path with v_path_free().
+/// V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY,
+/// V_ERR_REFUSED (v_set_progress()).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_fit_poses_robust(
     poses: *const V_POSE,
@@ -217,52 +217,50 @@ unsafe fn fitted(
     watched(|go_on| Ok(fit(poses, seconds, fps, options, go_on)?))
 }
 
-/// Looks for what will look wrong in the film. Of each kind there is one finding for
-/// each run of frames, in the order of the frames. Lengths count in half sizes of the
-/// space:
+/// Finds what will look wrong in the film: jerks, flips, collisions. Reports one finding
+/// per kind and run of frames, in the order of the frames. Lengths are in units of the
+/// space's half_size. In parentheses: the default limits.
 ///
 /// "space"         the camera is outside the space by more than the limit (0)
-/// "cusp"          curve or pace nearly stop in a section (0.02 of the mean)
-/// "speed-jump"    at a key, in shares of the mean speed (0.5)
-/// "acceleration"  in half sizes a second squared (10)
+/// "cusp"          curve or speed nearly stop in a section (0.02 of the mean)
+/// "speed-jump"    at a key, as a fraction of the mean speed (0.5)
+/// "acceleration"  per second squared (10)
 /// "view-jump"     degrees at once (1)
-/// "turning"       degrees a second (60)
-/// "turning-acceleration"  degrees a second squared (300)
-/// "half-turn"     degrees from a half turn, that might go either way (0.1)
+/// "turning"       degrees per second (60)
+/// "turning-acceleration"  degrees per second squared (300)
+/// "half-turn"     degrees from a half turn, whose direction is ambiguous (0.1)
 /// "pole"          degrees from straight up or down, below the limit (3)
 /// "target"        the target is nearer than the limit (0.05)
 /// "clearance"     the object is nearer than the limit (0.02)
-/// "through"       the way leads through a triangle of the object
+/// "through"       the camera passes through a triangle of the object
 /// "nothing-to-see"  nothing of the object in the picture, seconds (1)
-/// "zoom"          mm a second (30)
-/// "redundant"     the poses would be the same without a key: they change by less than
-///                 so many times 0.001 half sizes, 0.1 degrees and 0.1 mm (1)
-/// "corner"        degrees by which the way turns at a point (60)
-/// "jerk"          in half sizes a second cubed, the third difference of the places at
-///                 whole frames (off unless a limit is set)
-/// "speed"         in half sizes a second (off unless a limit is set)
-/// "crossing"      seconds in which what is in the middle of the picture, as far away as
-///                 the target (or the middle of the space), would cross it; below the
-///                 limit (off unless one is set)
-/// "backwards"     the way goes back although the points lead on, in half sizes (0.001):
+/// "zoom"          mm per second (30)
+/// "redundant"     removing a key would change the poses by less than the limit times
+///                 0.001, 0.1 degrees and 0.1 mm (1)
+/// "corner"        degrees by which the path turns at a point (60)
+/// "jerk"          per second cubed, the third difference of the positions at whole
+///                 frames (off)
+/// "speed"         per second (off)
+/// "crossing"      seconds in which what is in the middle of the picture, at the distance
+///                 of the target (or the middle of the space), would cross it; below the
+///                 limit (off)
+/// "backwards"     the curve runs backwards between points that lead forwards (0.001);
 ///                 a "centripetal" curve does not, see v_path_set_curve()
 ///
 /// A hold between sections without an ease, and a turn on the spot between such sections,
-/// begin and end at once: that is a "speed-jump", an "acceleration" or a
-/// "turning-acceleration" only if the limit of that kind is not the one above.
-/// An object is asked three times for each frame, as v_path_avoid() does.
+/// begin and end abruptly. That is a "speed-jump", an "acceleration" or a
+/// "turning-acceleration" only if the limit of that kind is not the default.
+/// The distance to the object is computed three times per frame, as by v_path_avoid().
 ///
-/// object  what the camera must not come near to, in the coordinates of the path;
-///     NULL: the path's own object with its faces, if it has one
-/// findings  room for capacity of them; *count is how many there are. With a
-///     capacity too small nothing else is written and the answer is V_ERR_SIZE;
-///     findings NULL with capacity 0 only asks for *count
-/// v_last_warning() then has notes, "" if there are none: that the camera is inside
-/// the object all the time, and what was not looked at (objects that move, what
-/// a parent adds to the camera).
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE,
-/// V_ERR_ARGUMENT (an object without geometry), V_ERR_RANGE, V_ERR_LIMIT,
-/// V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
+/// object  the obstacle, in the coordinates of the path; NULL: the path's own object with
+///     its faces, if it has one
+/// findings  space for capacity findings; *count is their number. If capacity is too
+///     small, only *count is written and the call fails with V_ERR_SIZE; with findings NULL
+///     and capacity 0, only *count is written
+/// v_last_warning() then returns notes: that the camera is inside the object all the time,
+/// and what was ignored (moving objects, the motion of the camera's parent); or "".
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT (an object without geometry),
+/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_check(
     path: *const V_PATH,
@@ -297,10 +295,9 @@ pub unsafe extern "C" fn v_path_check(
     })
 }
 
-/// Sets the limit of a kind of finding, see v_path_check(); it is kept in the file.
-/// INFINITY: that kind is not looked for.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no such
-/// kind), V_ERR_RANGE.
+/// Sets the limit of a kind of finding, see v_path_check(). The file keeps it. INFINITY
+/// disables the kind.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no such kind), V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_limit(
     path: *mut V_PATH,
@@ -318,8 +315,8 @@ pub unsafe extern "C" fn v_path_set_limit(
     })
 }
 
-/// The limit of a kind of finding, see v_path_check(); INFINITY: not looked for.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT.
+/// Gets the limit of a kind of finding, see v_path_check(); INFINITY: disabled.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_limit(
     path: *const V_PATH,

@@ -87,7 +87,6 @@ pub(super) fn opened(editor: *const V_EDITOR) -> Answer<TryArc<Opened>> {
 /// NULL only sets v_last_error(). In C, a macro of this name passes the struct's size
 /// to v_editor_options_init_sized(). The function itself, for other languages (ctypes,
 /// JNI, bindgen), fills in the whole struct of version 1.0.
-/// Any thread; from callbacks too.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_options_init(options: *mut V_EDITOR_OPTIONS) {
     border((), || {
@@ -107,7 +106,6 @@ pub unsafe extern "C" fn v_editor_options_init(options: *mut V_EDITOR_OPTIONS) {
 /// filled in and leaves bytes after the fields that the library knows unchanged. A
 /// struct shorter than in version 1.0 is left unchanged, and v_last_error() returns the
 /// reason.
-/// Any thread; from callbacks too.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_options_init_sized(options: *mut V_EDITOR_OPTIONS, size: usize) {
     border((), || {
@@ -417,9 +415,8 @@ pub unsafe extern "C" fn v_editor_close(editor: *mut V_EDITOR) -> c_int {
 
 /// Gets a copy of the path in a window; in a scene, that of the camera shown
 /// (v_scene_get_camera()). Free *path with v_path_free().
-/// The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
-/// V_ERR_CLOSED, V_ERR_ARGUMENT (no camera, or it follows no path), V_ERR_MEMORY,
-/// V_ERR_LIMIT.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no camera, or it follows no
+/// path), V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_get_path(
     editor: *const V_EDITOR,
@@ -440,8 +437,8 @@ pub unsafe extern "C" fn v_editor_get_path(
 /// Base speeds given when the window was opened are kept. In a scene it replaces the
 /// path of the camera shown, which is then edited. The playhead stays at its frame if
 /// the path has that frame; otherwise it goes to the current point.
-/// The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
-/// V_ERR_CLOSED, V_ERR_ARGUMENT (no camera, or it follows no path), V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no camera, or it follows no
+/// path), V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_set_path(editor: *mut V_EDITOR, path: *const V_PATH) -> c_int {
     border(V_ERR_INTERNAL, || {

@@ -29,8 +29,7 @@ fn travel(
 ///
 /// Undoes the last step of a window, like Ctrl-Z. A window keeps the last 10,000 steps,
 /// and at most 256 MiB of what they changed.
-/// The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
-/// V_ERR_CLOSED, V_ERR_ARGUMENT (nothing to undo).
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (nothing to undo).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_undo(editor: *mut V_EDITOR) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -39,8 +38,7 @@ pub unsafe extern "C" fn v_editor_undo(editor: *mut V_EDITOR) -> c_int {
 }
 
 /// Redoes the step that was undone last, like Ctrl-Y.
-/// The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
-/// V_ERR_CLOSED, V_ERR_ARGUMENT (nothing to redo).
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (nothing to redo).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_redo(editor: *mut V_EDITOR) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -51,8 +49,7 @@ pub unsafe extern "C" fn v_editor_redo(editor: *mut V_EDITOR) -> c_int {
 /// Begins a group of changes that the user undoes as one step: all changes in a window
 /// until v_editor_end_step(), yours and the user's. It replaces a group begun before;
 /// loading another document in the window ends it.
-/// The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
-/// V_ERR_CLOSED.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_begin_step(editor: *mut V_EDITOR) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -63,8 +60,7 @@ pub unsafe extern "C" fn v_editor_begin_step(editor: *mut V_EDITOR) -> c_int {
 }
 
 /// Ends the group begun by v_editor_begin_step(); does nothing without one.
-/// The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
-/// V_ERR_CLOSED.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_end_step(editor: *mut V_EDITOR) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -76,8 +72,8 @@ pub unsafe extern "C" fn v_editor_end_step(editor: *mut V_EDITOR) -> c_int {
 
 /// Gets the current point and orientation, both counted from 0, see v_editor_select().
 /// Any result may be NULL.
-/// The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
-/// V_ERR_CLOSED, V_ERR_ARGUMENT (no path of its scene is edited).
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no path of its scene is
+/// edited).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_get_selection(
     editor: *const V_EDITOR,
@@ -106,8 +102,7 @@ pub unsafe extern "C" fn v_editor_get_selection(
 }
 
 /// Gets whether a window is playing, see v_editor_play(): *playing is 1 or 0.
-/// The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
-/// V_ERR_CLOSED.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_is_playing(
     editor: *const V_EDITOR,

@@ -22,12 +22,12 @@ use crate::formats::{self, Format, Loss, Options, Report, Source};
 ///     counts; names that a format does not use are ignored
 ///
 /// What the format cannot hold is left out. The call then still returns V_OK, and
-/// v_last_warning() lists the losses, one per line; "" if there are none.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY, V_ERR_ARGUMENT
-/// (format, options, no such node, a host interpolation that fails), V_ERR_RANGE
-/// (frames, fps), V_ERR_FORMAT (a folder that holds what would be read first),
-/// V_ERR_IO, V_ERR_LIMIT, V_ERR_MEMORY. If memory runs out while a file is opened or
-/// written, the program may end; the old file is kept.
+/// v_last_warning() lists the losses, one per line, or returns "".
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY, V_ERR_ARGUMENT (format, options, no such node,
+/// a host interpolation that fails), V_ERR_RANGE (frames, fps), V_ERR_FORMAT (a folder
+/// that holds what would be read first), V_ERR_IO, V_ERR_LIMIT, V_ERR_MEMORY. If memory
+/// runs out while a file is opened or written, the program may end; the old file is
+/// kept.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_export(
     scene: *const V_SCENE,
@@ -63,10 +63,9 @@ pub unsafe extern "C" fn v_scene_export(
 ///
 /// The call returns V_OK even if parts of the file are ignored. v_last_warning() lists
 /// them, and how well a path fits, one per line; "" if there is nothing to report.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT (format, options),
-/// V_ERR_IO, V_ERR_FORMAT (with place and reason in v_last_error()), V_ERR_RANGE,
-/// V_ERR_LIMIT, V_ERR_MEMORY. If memory runs out while the file is parsed, the program
-/// may end.
+/// V_ERR_NULL, V_ERR_ARGUMENT (format, options), V_ERR_IO, V_ERR_FORMAT (with place and
+/// reason in v_last_error()), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY. If memory runs
+/// out while the file is parsed, the program may end.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_import(
     file: *const c_char,

@@ -88,7 +88,7 @@ pub extern "C" fn v_dispatch() -> c_int {
 /// Serves the windows until the last one is closed, sleeping in between; for programs
 /// that do nothing else meanwhile. Returns at once if there are no windows.
 /// The thread that opens the windows. V_ERR_BUSY inside a callback; V_ERR_DISPLAY if a
-/// window was destroyed or its X server went away, once the others are closed too;
+/// window was destroyed or its X server went away, after all windows have closed;
 /// V_ERR_LIMIT without descriptors.
 #[unsafe(no_mangle)]
 pub extern "C" fn v_main_loop() -> c_int {

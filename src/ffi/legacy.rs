@@ -36,7 +36,7 @@ type Ende = unsafe extern "C" fn() -> c_int;
 ///     are fixed in this window: those of a file that is loaded are ignored
 /// interpol_liste  first element of the list that receives the poses, see V_KAMERAPAR.
 ///     It is yours and must outlive the window; may be NULL. Its number is read at each
-///     hand-over: < 0 means that there is no data (any more). Several windows may share
+///     hand-over: < 0 means no data (any more). Several windows may share
 ///     an element
 /// anzahl_objekt, objekt  points of an object to show, copied during the call; NULL or
 ///     a number <= 0 for none. The new path looks at it

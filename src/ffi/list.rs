@@ -1,6 +1,6 @@
 //! The list of poses in its form of 1994 (thesis B.2.2, B.2.3).
 //!
-//! The first element is the host's; the others are allocated one by one with the host's `malloc`. A
+//! The first element is the host's; each further one is allocated with the host's `malloc`. A
 //! list is built whole before an old one is touched, and no allocation may abort.
 //!
 //! An old list is freed only if this library made it. A host may have freed, relinked or never

@@ -41,8 +41,7 @@ fn command(
 ///
 /// Changes that a callback makes with the functions of this section or with
 /// v_editor_set_path() do not cause further callbacks.
-/// The thread that opened the window; from callbacks too. V_ERR_HANDLE, V_ERR_CLOSED,
-/// V_ERR_NULL (editor), V_ERR_ARGUMENT, V_ERR_RANGE.
+/// V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_NULL (editor), V_ERR_ARGUMENT, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_set_view(editor: *mut V_EDITOR, pose: *const V_POSE) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -55,8 +54,7 @@ pub unsafe extern "C" fn v_editor_set_view(editor: *mut V_EDITOR, pose: *const V
 /// Gets the frame at the playhead, counted from 1; v_path_pose() gets the camera there.
 /// It may lie between two whole frames. In a scene it is a frame of the scene, as for
 /// v_scene_evaluate().
-/// The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
-/// V_ERR_CLOSED, V_ERR_MEMORY, V_ERR_LIMIT.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_get_frame(
     editor: *const V_EDITOR,
@@ -75,8 +73,7 @@ pub unsafe extern "C" fn v_editor_get_frame(
 /// two whole frames. The orientation that the camera comes from becomes current. In a
 /// scene it is a frame of the scene, within v_scene_frame_range(), whatever is
 /// selected.
-/// The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
-/// V_ERR_CLOSED, V_ERR_RANGE, V_ERR_MEMORY, V_ERR_LIMIT.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_RANGE, V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_set_frame(editor: *mut V_EDITOR, frame: c_double) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -87,8 +84,7 @@ pub unsafe extern "C" fn v_editor_set_frame(editor: *mut V_EDITOR, frame: c_doub
 /// Plays the flight from the playhead, or from the beginning if that is at the end;
 /// play 0 stops. It starts when the window is next served, and continues whether or not
 /// the window is visible.
-/// The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
-/// V_ERR_CLOSED.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_play(editor: *mut V_EDITOR, play: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -100,8 +96,8 @@ pub unsafe extern "C" fn v_editor_play(editor: *mut V_EDITOR, play: c_int) -> c_
 }
 
 /// Makes an orientation of a point current, both counted from 0.
-/// The thread that opened the window; from callbacks too. V_ERR_NULL,
-/// V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no path is edited), V_ERR_RANGE.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no path is edited),
+/// V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_select(
     editor: *mut V_EDITOR,
@@ -116,9 +112,8 @@ pub unsafe extern "C" fn v_editor_select(
 
 /// Replaces the object shown, in one step that the user can undo. The mesh is copied;
 /// NULL removes the object.
-/// The thread that opened the window; from callbacks too. V_ERR_NULL (editor),
-/// V_ERR_SIZE, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT,
-/// V_ERR_MEMORY.
+/// V_ERR_NULL (editor), V_ERR_SIZE, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT,
+/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_set_object(
     editor: *mut V_EDITOR,
@@ -133,8 +128,7 @@ pub unsafe extern "C" fn v_editor_set_object(
 
 /// Sets the text after "VIDES" in the window's title: UTF-8, one line (control
 /// characters are shown as spaces); NULL: the name of the file.
-/// The thread that opened the window; from callbacks too. V_ERR_NULL (editor),
-/// V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT, V_ERR_MEMORY.
+/// V_ERR_NULL (editor), V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_set_title(editor: *mut V_EDITOR, title: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -148,8 +142,7 @@ pub unsafe extern "C" fn v_editor_set_title(editor: *mut V_EDITOR, title: *const
 }
 
 /// Gets whether closing a window would lose work: *modified is 1 or 0.
-/// The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
-/// V_ERR_CLOSED.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_is_modified(
     editor: *const V_EDITOR,
@@ -167,8 +160,7 @@ pub unsafe extern "C" fn v_editor_is_modified(
 /// Marks the contents of a window as saved, after your program has kept them, for
 /// example from v_editor_get_path(). They count as saved until the next change and are
 /// not offered at the next start.
-/// The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
-/// V_ERR_CLOSED.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_mark_saved(editor: *mut V_EDITOR) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -182,9 +174,8 @@ pub unsafe extern "C" fn v_editor_mark_saved(editor: *mut V_EDITOR) -> c_int {
 /// Saves the contents of a window to a .vid file, replacing an existing one; the window
 /// edits that file from then on. NULL: its own file, unless another program has changed
 /// it meanwhile.
-/// The thread that opened the window; from callbacks too. V_ERR_NULL (editor),
-/// V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no file yet, or changed by others),
-/// V_ERR_IO, V_ERR_MEMORY.
+/// V_ERR_NULL (editor), V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no file yet, or
+/// changed by others), V_ERR_IO, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_save(editor: *mut V_EDITOR, file: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -195,8 +186,7 @@ pub unsafe extern "C" fn v_editor_save(editor: *mut V_EDITOR, file: *const c_cha
 }
 
 /// Raises a window above all others, if the desktop allows it.
-/// The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
-/// V_ERR_CLOSED, V_ERR_DISPLAY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_DISPLAY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_raise(editor: *mut V_EDITOR) -> c_int {
     border(V_ERR_INTERNAL, || {

@@ -134,7 +134,6 @@ unsafe fn read_orientation(o: *const V_ORIENTATION) -> Answer<Orientation> {
 /// Fills in an orientation: size, viewing direction (0, 0, -1) (relative, target (0, 0,
 /// -0.4)), roll 0, zoom 24, tension, continuity and bias 0, all speeds 50, hold 0. NULL
 /// only sets v_last_error().
-/// Any thread; from callbacks too.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_orientation_init(o: *mut V_ORIENTATION) {
     border((), || {
@@ -146,7 +145,7 @@ pub unsafe extern "C" fn v_orientation_init(o: *mut V_ORIENTATION) {
 /// Gets the number of orientations of a point, 1 to 10. They count from 0, in the order
 /// in which the camera takes them: it arrives in the first, turns from one to the next,
 /// and leaves in the last.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_orientation_count(
     path: *const V_PATH,
@@ -166,8 +165,8 @@ pub unsafe extern "C" fn v_path_orientation_count(
 /// Inserts an orientation before the one at index at; if at is their number, appends
 /// it. o is copied; NULL copies the orientation before the new one, or the first one if
 /// at is 0.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
-/// V_ERR_RANGE, V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_SIZE, V_ERR_LIMIT,
+/// V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_insert_orientation(
     path: *mut V_PATH,
@@ -191,7 +190,7 @@ pub unsafe extern "C" fn v_path_insert_orientation(
 }
 
 /// Removes an orientation. The only one of a point cannot be removed.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_remove_orientation(
     path: *mut V_PATH,
@@ -206,8 +205,7 @@ pub unsafe extern "C" fn v_path_remove_orientation(
 
 /// Sets all values of an orientation; o is copied. Settings that V_ORIENTATION does not
 /// have (ease, distance curve, fixed frames, looking ahead) are unchanged.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
-/// V_ERR_RANGE, V_ERR_SIZE.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_SIZE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_orientation(
     path: *mut V_PATH,
@@ -229,7 +227,7 @@ pub unsafe extern "C" fn v_path_set_orientation(
 
 /// Gets the values of an orientation. Set o->size before, for example with
 /// v_orientation_init().
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_SIZE.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_SIZE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_orientation(
     path: *const V_PATH,
@@ -248,7 +246,7 @@ pub unsafe extern "C" fn v_path_get_orientation(
 
 /// Makes the target of an orientation absolute (not 0) or relative (0). The view does
 /// not change.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_absolute(
     path: *mut V_PATH,
@@ -275,9 +273,8 @@ pub unsafe extern "C" fn v_path_set_absolute(
 ///
 /// distance  0: along the tangent; > 0: at the position this far ahead on the curve,
 ///     straight on beyond its end; < 0: stops looking ahead and keeps the present
-///     direction as an offset. At most 1e9 half sizes of the space
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
-/// V_ERR_RANGE, V_ERR_MEMORY.
+///     direction as an offset. At most 1e9 times half_size
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_ahead(
     path: *mut V_PATH,
@@ -305,7 +302,7 @@ pub unsafe extern "C" fn v_path_set_ahead(
 
 /// Gets how far ahead an orientation looks, see v_path_set_ahead(); -1 if it looks at
 /// its target.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_ahead(
     path: *const V_PATH,
@@ -334,13 +331,12 @@ pub unsafe extern "C" fn v_path_get_ahead(
 ///     "minimal"  starts with the up axis and is carried on without turning about the
 ///                view, through all consecutive orientations that have it; on a closed
 ///                path, the angle missing at the end is spread over the length
-///     "frenet"   the normal of the curve; only for curves of kind "cubic" whose
-///                points have no tangents of their own
+///     "frenet"   the normal of the curve; only for curves of kind "cubic" without
+///                custom tangents
 ///     "y", "z"   this axis, whatever the space's up axis
 /// Arguments that an up does not need may be NULL. A path has at most 10 different up
 /// paths, each with at most 1000 points.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
-/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_up(
     path: *mut V_PATH,
@@ -381,8 +377,7 @@ const UPS: [&CStr; 7] = [
 /// up_point  the point of "point", otherwise zeros
 /// up_path   an open path with the curve of "path", to be freed with v_path_free();
 ///     otherwise NULL
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT,
-/// V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 /// cbindgen:ptrs-as-arrays=[[up_point; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_up(

@@ -48,7 +48,7 @@ fn finite(numbers: [(f64, &'static str); 3]) -> Answer<()> {
 /// distance  fraction of the distance covered at t, 0 to 1
 /// speed     its derivative
 /// Any result may be NULL.
-/// Any thread; from callbacks too. V_ERR_ARGUMENT, V_ERR_RANGE.
+/// V_ERR_ARGUMENT, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_ease(
     kind: c_int,
@@ -88,8 +88,7 @@ pub unsafe extern "C" fn v_ease(
 ///     are ignored
 /// rise, fall  fractions of the time, as in v_ease()
 /// cruise  the cruising speed, 1 to 100
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
-/// V_ERR_RANGE, V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_ease(
     path: *mut V_PATH,
@@ -118,7 +117,7 @@ pub unsafe extern "C" fn v_path_set_ease(
 
 /// Gets the ease of the section that begins with an orientation, see v_path_set_ease();
 /// kind -1 and zeros if it has none. Any result may be NULL.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_ease(
     path: *const V_PATH,
@@ -160,8 +159,7 @@ pub unsafe extern "C" fn v_path_get_ease(
 /// time_way  pairs (fraction of the time, fraction of the distance), from 0, 0 to 1, 1,
 ///     both increasing
 /// keys      number of pairs, 2 to 32; 0: back to the ten speeds; time_way is ignored
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
-/// V_ERR_RANGE, V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_distance(
     path: *mut V_PATH,
@@ -190,7 +188,7 @@ pub unsafe extern "C" fn v_path_set_distance(
 /// the number of pairs that time_way has room for. If that is too small, only *keys is
 /// written and the call fails with V_ERR_SIZE; with time_way NULL and capacity 0, only
 /// *keys is written.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_SIZE.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_SIZE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_distance(
     path: *const V_PATH,
@@ -224,8 +222,7 @@ pub unsafe extern "C" fn v_path_get_distance(
 /// Fixes the number of frames of the section that begins with an orientation, whatever
 /// its length; 0: it follows from the length again. A section in which nothing changes
 /// always has 0 frames. The path may have at most 100000000 frames in all.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT,
-/// V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_frames(
     path: *mut V_PATH,
@@ -241,7 +238,7 @@ pub unsafe extern "C" fn v_path_set_frames(
 
 /// Gets the fixed frames of the section that begins with an orientation; 0: they follow
 /// from the length.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_frames(
     path: *const V_PATH,
@@ -261,7 +258,7 @@ pub unsafe extern "C" fn v_path_get_frames(
 
 /// Sets whether v_path_fit_frames() keeps the frames of the section that begins with an
 /// orientation (not 0) or not (0).
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_frames_locked(
     path: *mut V_PATH,
@@ -276,7 +273,7 @@ pub unsafe extern "C" fn v_path_set_frames_locked(
 
 /// Gets whether the frames of a section are locked, see v_path_set_frames_locked(): 1
 /// or 0.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_frames_locked(
     path: *const V_PATH,
@@ -294,7 +291,7 @@ pub unsafe extern "C" fn v_path_get_frames_locked(
     })
 }
 
-/// Fixes the frames of all moving sections between two points, so that there are
+/// Fixes the frames of all moving sections between two points, so that it takes
 /// exactly frames from the first pose at first_point to the last pose at last_point,
 /// holds included. With 0 and the last point, v_path_frame_count() is then exactly
 /// frames; on a closed path that includes the way back to the first point. On a closed
@@ -306,7 +303,7 @@ pub unsafe extern "C" fn v_path_get_frames_locked(
 /// count as they are; v_path_set_frames() with 0 makes them follow from the length
 /// again. If frames is too small, the call fails and v_last_error() returns the
 /// smallest possible number.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_fit_frames(
     path: *mut V_PATH,

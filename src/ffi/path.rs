@@ -26,8 +26,8 @@ const BUSY: Failure = Failure::Border(
     "this path is in use, and cannot be waited for within a progress callback",
 );
 
-/// The lock of a path. Within a progress callback the call that it is told of may hold it, or
-/// another thread that waits for a path of ours: nobody waits there.
+/// The lock of a path. Within a progress callback the call in progress may hold it, or
+/// another thread that waits for a path of ours, so a callback does not wait.
 fn locked<G, E>(
     wait: impl FnOnce() -> Result<G, E>,
     take: impl FnOnce() -> Result<G, TryLockError<G>>,
@@ -114,7 +114,7 @@ pub(super) fn edit_and<R>(
 ///
 /// Makes a new path: two points at (-0.6, 0.2, 0.8) and (0.6, 0.2, 0.8), each with one
 /// orientation as v_orientation_init() fills it in. Free *path with v_path_free().
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_MEMORY, V_ERR_LIMIT.
+/// V_ERR_NULL, V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_new(path: *mut *mut V_PATH) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -126,7 +126,7 @@ pub unsafe extern "C" fn v_path_new(path: *mut *mut V_PATH) -> c_int {
 }
 
 /// Makes an independent copy of a path. Free *copy with v_path_free().
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_MEMORY, V_ERR_LIMIT.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_clone(path: *const V_PATH, copy: *mut *mut V_PATH) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -140,7 +140,6 @@ pub unsafe extern "C" fn v_path_clone(path: *const V_PATH, copy: *mut *mut V_PAT
 /// Frees a path and makes its handle invalid. NULL is ignored; an invalid handle only
 /// sets v_last_error(). If another thread is using the path, its call completes
 /// normally.
-/// Any thread; from callbacks too.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_free(path: *mut V_PATH) {
     border((), || {
@@ -154,10 +153,9 @@ pub unsafe extern "C" fn v_path_free(path: *mut V_PATH) {
 /// Reads a path from a .vid file. From a scene (see v_scene_load()) it reads the path
 /// of the camera shown; saving that to the same file would lose the rest of the scene.
 /// file is a name as for open(). Free *path with v_path_free().
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_IO, V_ERR_FORMAT (with line and
-/// reason in v_last_error()), V_ERR_ARGUMENT (no camera, or it follows no path),
-/// V_ERR_MEMORY, V_ERR_LIMIT. If memory runs out while the text itself is read or
-/// parsed, the program ends.
+/// V_ERR_NULL, V_ERR_IO, V_ERR_FORMAT (with line and reason in v_last_error()),
+/// V_ERR_ARGUMENT (no camera, or it follows no path), V_ERR_MEMORY, V_ERR_LIMIT. If
+/// memory runs out while the text itself is read or parsed, the program ends.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_load(file: *const c_char, path: *mut *mut V_PATH) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -172,9 +170,8 @@ pub unsafe extern "C" fn v_path_load(file: *const c_char, path: *mut *mut V_PATH
 
 /// Reads a path from the text of a .vid file in memory, like v_path_load(). text has
 /// size bytes of UTF-8 and need not be zero-terminated. Free *path with v_path_free().
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_FORMAT (with line and reason in
-/// v_last_error()), V_ERR_ARGUMENT (a scene without such a camera), V_ERR_MEMORY (but
-/// see v_path_load()), V_ERR_LIMIT.
+/// V_ERR_NULL, V_ERR_FORMAT (with line and reason in v_last_error()), V_ERR_ARGUMENT (a
+/// scene without such a camera), V_ERR_MEMORY (but see v_path_load()), V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_load_from_memory(
     text: *const c_char,
@@ -196,9 +193,8 @@ pub unsafe extern "C" fn v_path_load_from_memory(
 /// Saves a path to a .vid file. The file is replaced atomically; when the call returns
 /// V_OK, the new contents are on the disk. Symbolic links are followed and permissions
 /// kept.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO, V_ERR_MEMORY. If
-/// memory runs out while the file is opened or written, the program may end; the old
-/// file is kept.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO, V_ERR_MEMORY. If memory runs out while the file
+/// is opened or written, the program may end; the old file is kept.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_save(path: *const V_PATH, file: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -213,8 +209,7 @@ pub unsafe extern "C" fn v_path_save(path: *const V_PATH, file: *const c_char) -
 /// reads, zero-terminated. *length is its number of bytes without the zero. If capacity
 /// is not larger than *length, only *length is written and the call fails with
 /// V_ERR_SIZE; with text NULL and capacity 0, only *length is written.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_LIMIT,
-/// V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_save_to_memory(
     path: *const V_PATH,

@@ -53,12 +53,10 @@ fn limits(given: &V_LIMITS) -> Answer<Limits> {
 
 /// ==== Planning ====
 ///
-/// Fills in the limits that a check has unless told (v_path_check()): acceleration 10,
-/// turning 60, turning_acceleration 300, zoom 30, and no others. NULL does nothing but
-/// set v_last_error(). In C a macro of this name hands the struct's size on to
-/// v_limits_init_sized(); the function itself, for other languages, fills in the struct
-/// of version 1.0.
-/// Any thread; from callbacks too.
+/// Fills in the defaults of v_path_check(): acceleration 10, turning 60,
+/// turning_acceleration 300, zoom 30, and no other limits. NULL only sets v_last_error().
+/// In C, a macro of this name passes the struct's size to v_limits_init_sized(). The
+/// function itself, for other languages, fills in the struct of version 1.0.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_limits_init(limits: *mut V_LIMITS) {
     border((), || {
@@ -67,10 +65,8 @@ pub unsafe extern "C" fn v_limits_init(limits: *mut V_LIMITS) {
     });
 }
 
-/// As v_limits_init(), for a struct that is size bytes long. One shorter than in version
-/// 1.0 stays as it is, and v_last_error() says so. What is behind the fields that the
-/// library knows is not touched, and size is set to what was filled in.
-/// Any thread; from callbacks too.
+/// Like v_limits_init(), for a struct of size bytes. It works as
+/// v_editor_options_init_sized().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_limits_init_sized(limits: *mut V_LIMITS, size: usize) {
     border((), || {
@@ -79,25 +75,21 @@ pub unsafe extern "C" fn v_limits_init_sized(limits: *mut V_LIMITS, size: usize)
     });
 }
 
-/// Computes the pace anew from the first orientation of one support point to the last
-/// of another, as fast as the limits allow; the curve and the views stay where they
-/// were in place. The way rests at the ends of an open path, where keys are held, and
-/// where curve or view have a kink; v_last_warning() names these. What is beside the
-/// points keeps its pace. Sections get fixed frames, a given distance and a curve time
-/// of their own.
-///
-/// It takes at most 40 rounds over the sections.
+/// Recomputes the speed profile between the first orientation of one point and the last of
+/// another, as fast as the limits allow. The curve and the views do not change. The camera
+/// rests at the ends of an open path, at held keys, and where curve or view have a kink;
+/// v_last_warning() lists these. Other sections keep their speed profile. The sections get
+/// fixed frames, a distance curve and a curve time. Takes at most 40 rounds over the
+/// sections.
 ///
 /// limits  see v_limits_init(); NULL: the path's own, see v_path_set_limit()
-/// first_point, last_point  0 and the last: all, closed paths with the way back to
-///     the first point; on a closed path first_point may lie behind last_point
-/// seconds  0: as few as the limits allow; else exactly so many, to a whole frame, with
-///     the lowest peaks; as everywhere those of the poses: at the path's end the last
-///     one has a frame, too
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE,
-/// V_ERR_ARGUMENT (no limit, one that is not positive, too few seconds: v_last_error()
-/// names the least), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED
-/// (v_set_progress()).
+/// first_point, last_point  with 0 and the last point: the whole path, if closed with the
+///     way back to the first point. On a closed path first_point may be after last_point
+/// seconds  0: as few as the limits allow; otherwise this duration, to a whole frame, with
+///     the lowest peaks. It counts the last frame of the path, too
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT (no limit, one that is not
+/// positive, too few seconds: v_last_error() names the least), V_ERR_RANGE,
+/// V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_retime(
     path: *mut V_PATH,
@@ -132,18 +124,18 @@ pub unsafe extern "C" fn v_path_retime(
     })
 }
 
-/// A recorded flight without the shaking of a hand: places, views and zoom go through a low pass
-/// without a lag, at whole frames, and become a path of few support points again, as
-/// v_path_fit_poses() makes one, of as many frames. The first and the last pose stay. Names of
-/// points, targets and modes go; a closed path comes back open. v_last_warning() says how far
-/// it went from what it was.
+/// Stabilises a recorded flight: positions, views and zoom pass a low-pass filter without
+/// lag, at whole frames; v_path_fit_poses() then makes a path of few points and as many
+/// frames. The first and the last pose do not change. Names, targets and modes are
+/// discarded, and a closed path is open afterwards. v_last_warning() returns how far the
+/// path moved.
 ///
-/// seconds  half of a movement that takes so long there and back stays, hardly anything of
-///     quicker ones; greater than 0 and at most 2,000 frames
-/// within   no place goes farther than so; 0: no bound
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (a path that
-/// does not move, no path within the bound), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY,
-/// V_ERR_REFUSED (v_set_progress()).
+/// seconds  cut-off period: motion of this period is halved, faster motion is removed;
+///     > 0 and at most 2,000 frames
+/// within   maximum distance any position may move; 0: no limit
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (a path that does not move, no path within
+/// the limit), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED
+/// (v_set_progress()).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_steady(path: *mut V_PATH, seconds: f64, within: f64) -> c_int {
     clear_last_warning();
@@ -165,22 +157,22 @@ pub unsafe extern "C" fn v_path_steady(path: *mut V_PATH, seconds: f64, within: 
     })
 }
 
-/// Leads the way clear of an object: where the camera, or a sphere around it, comes nearer
-/// than the clearance, or goes through it, points are moved as little as possible and as
-/// few put in as it takes; points that were clear stay, but for those within a closed
-/// part of the object between others outside. Frames and targets stay. v_last_warning()
-/// has a line for each part that changed, "" if the way was clear.
+/// Moves a path away from an object. Where the camera, or a sphere around it, comes nearer
+/// than the clearance or passes through the object, points move as little as possible and
+/// as few as possible are added. Points that were clear do not move, except within a closed
+/// part of the object between others outside. Frames and targets do not change.
+/// v_last_warning() returns a line for each changed part, or "".
 ///
-/// Each part that is too near takes at most a few searches of a grid with 96 cells along its
-/// longest side. A question to the object takes the logarithm of its triangles; where they
-/// overlap widely, up to all of them.
+/// Each part takes at most a few searches of a grid with 96 cells along its longest side.
+/// A distance query takes the logarithm of the number of triangles; if they overlap widely,
+/// up to that number.
 ///
 /// object  in the coordinates of the path; NULL: the path's own
-/// clearance, radius  in the path's units; the clearance greater than 0, the radius of the
-///     sphere 0 or greater
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT
-/// (no way round: v_last_error() names the frame and the place; an object without
-/// geometry), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
+/// clearance, radius  in the path's units; the clearance > 0, the radius of the sphere 0 or
+///     more
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT (no way round: v_last_error()
+/// names the frame and the place; an object without geometry), V_ERR_RANGE,
+/// V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_avoid(
     path: *mut V_PATH,
@@ -212,21 +204,21 @@ pub const V_PICTURE_ZOOM: c_int = 0;
 pub const V_PICTURE_DISTANCE: c_int = 1;
 pub const V_PICTURE_VIEW: c_int = 2;
 
-/// Keeps an object whole in the picture less margin, at every frame and between: by the
-/// zoom or the distance as large as that allows and the path's limits of zoom, or of
-/// speed and acceleration (see v_path_set_limit()), let it change; by turning no more
-/// than it takes. Frames and pace stay. Where keys do not hold it points are added.
-/// The path stays as it is where that cannot be. It looks at the object from 20 places for
-/// each frame, at most 60 times from each.
+/// Keeps an object whole in the picture less margin, at every frame and between. With zoom
+/// or distance the object is as large as the margin and the path's limits of zoom, or of
+/// speed and acceleration, allow (v_path_set_limit()); with the view the camera turns no
+/// more than necessary. Frames and speed profile do not change. Points are added where keys
+/// are not enough. If it is not possible, the path is unchanged. Takes 20 positions per
+/// frame, each tried at most 60 times.
 ///
 /// object  in the coordinates of the path; NULL: the path's own, with the objects of
 ///     its scene
-/// margin  the share of the picture's width and height (36 x 24 mm) that stays free at
+/// margin  the fraction of the picture's width and height (36 x 24 mm) to keep free on
 ///     each side, from 0 to below 0.5
 /// what  V_PICTURE_ZOOM, V_PICTURE_DISTANCE or V_PICTURE_VIEW
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no object,
-/// or where it cannot be whole, with the frame), V_ERR_RANGE, V_ERR_SIZE, V_ERR_LIMIT,
-/// V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no object, or it does not fit into the
+/// picture, with the frame), V_ERR_RANGE, V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY,
+/// V_ERR_REFUSED (v_set_progress()).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_keep_in_picture(
     path: *mut V_PATH,
@@ -273,11 +265,10 @@ unsafe impl Growing for V_TOUR {
     };
 }
 
-/// Fills in a tour of 60 seconds that shows 0.95, from outside at a distance that is
-/// found, as a closed round, with V_UP_Y. NULL does nothing but set v_last_error(). In C
-/// a macro of this name hands the struct's size on to v_tour_init_sized(); the function
-/// itself, for other languages, fills in the struct of version 1.0.
-/// Any thread; from callbacks too.
+/// Fills in the default tour: 60 seconds, coverage 0.95, outside the object, at a distance
+/// that VIDES chooses, closed, V_UP_Y. NULL only sets v_last_error(). In C, a macro of this
+/// name passes the struct's size to v_tour_init_sized(). The function itself, for other
+/// languages, fills in the struct of version 1.0.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_tour_init(tour: *mut V_TOUR) {
     border((), || {
@@ -286,10 +277,8 @@ pub unsafe extern "C" fn v_tour_init(tour: *mut V_TOUR) {
     });
 }
 
-/// As v_tour_init(), for a struct that is size bytes long. One shorter than in version
-/// 1.0 stays as it is, and v_last_error() says so. What is behind the fields that the
-/// library knows is not touched, and size is set to what was filled in.
-/// Any thread; from callbacks too.
+/// Like v_tour_init(), for a struct of size bytes. It works as
+/// v_editor_options_init_sized().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_tour_init_sized(tour: *mut V_TOUR, size: usize) {
     border((), || {
@@ -298,22 +287,21 @@ pub unsafe extern "C" fn v_tour_init_sized(tour: *mut V_TOUR, size: usize) {
     });
 }
 
-/// A flight that shows an object which nobody has planned for: the fewest places found
-/// from where so much of its surface is seen, a short round through them that keeps
-/// clear of it, at a pace within the limits of a check (v_path_check()), 25 frames a
-/// second.
+/// Plans a flight that shows an object: the fewest positions from which the wanted fraction
+/// of its surface is seen, a short path through them that keeps clear of it, and a speed
+/// profile within the limits of v_path_check(), at 25 frames per second.
 ///
-/// object  its triangles count. From outside only the side that normals point to counts
-///     where neighbouring triangles agree about it, else either does
-/// tour  NULL: as v_tour_init() has it
-/// coverage  the share that is shown of what can be seen; may be NULL
-/// v_last_warning() then has two lines: places, coverage, length and seconds; what stays
-/// unseen, and why.
-/// *path is the caller's, to be freed with v_path_free(). It takes about 300 pictures'
-/// time, for a million triangles some seconds, and about 300 bytes a triangle.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT (no surface, no
-/// free place, too few seconds: v_last_error() names the least), V_ERR_RANGE,
-/// V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
+/// object  its triangles count. From outside, only the side that the normals point to is
+///     to be seen where neighbouring triangles agree about it, otherwise either side
+/// tour  NULL: the defaults of v_tour_init()
+/// coverage  the fraction shown of what can be seen; may be NULL
+/// v_last_warning() then returns two lines: positions, coverage, length and seconds; and
+/// what remains unseen, and why.
+/// Free *path with v_path_free(). Takes the time of about 300 pictures, some seconds for a
+/// million triangles, and about 300 bytes per triangle.
+/// V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT (no surface, no free place, too few seconds:
+/// v_last_error() names the least), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY,
+/// V_ERR_REFUSED (v_set_progress()).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_tour(
     object: *const V_MESH,

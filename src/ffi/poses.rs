@@ -15,10 +15,10 @@ use crate::path::Pose;
 
 /// ==== Sections and poses ====
 ///
-/// How many sections a path has. A section is the way from one orientation to
-/// the next, be it at the same support point or on to the next point. They are
-/// counted from 0 in the order in which the camera takes them.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_MEMORY.
+/// Gets the number of sections of a path. A section leads from one orientation to the next,
+/// at the same point or at the next one. Sections count from 0, in the order in which the
+/// camera takes them.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_section_count(path: *const V_PATH, count: *mut c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -32,12 +32,10 @@ pub unsafe extern "C" fn v_path_section_count(path: *const V_PATH, count: *mut c
     })
 }
 
-/// The support point and the orientation with which a section begins, the
-/// number (from 1) of the first pose that belongs to it, and how many do; 0 if
-/// nothing changes in it. Poses that rest at the section's end are not
-/// counted. Each result may be NULL.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
-/// V_ERR_LIMIT, V_ERR_MEMORY.
+/// Gets the point and the orientation with which a section begins, its first frame, and its
+/// number of frames, which is 0 if nothing changes in it. Frames of a hold at its end do
+/// not count. Any result may be NULL.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_section_info(
     path: *const V_PATH,
@@ -80,9 +78,8 @@ pub unsafe extern "C" fn v_path_section_info(
     })
 }
 
-/// How many poses the whole path yields; at least 1. They are numbered from 1.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_LIMIT,
-/// V_ERR_MEMORY.
+/// Gets the number of frames of a path, at least 1. They count from 1.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_frame_count(path: *const V_PATH, frames: *mut usize) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -95,12 +92,10 @@ pub unsafe extern "C" fn v_path_frame_count(path: *const V_PATH, frames: *mut us
     })
 }
 
-/// All poses of a path, into the caller's array of capacity elements; *count
-/// is how many. With a capacity too small nothing is written but *count, the
-/// capacity needed, and the answer is V_ERR_SIZE. poses NULL with capacity 0
-/// only asks for *count.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE,
-/// V_ERR_LIMIT, V_ERR_MEMORY.
+/// Writes all poses of a path to your array of capacity elements, and their number to
+/// *count. If capacity is too small, only *count is written and the call fails with
+/// V_ERR_SIZE; with poses NULL and capacity 0, only *count is written.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_sample(
     path: *const V_PATH,
@@ -125,11 +120,10 @@ pub unsafe extern "C" fn v_path_sample(
     })
 }
 
-/// count poses from number first on, 1 to the count of v_path_frame_count(), into
-/// the caller's array, each equal to that of v_path_sample(). For hosts that take a
-/// long path in pieces.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE (first 0,
-/// or not so many poses from there), V_ERR_LIMIT, V_ERR_MEMORY.
+/// Writes count poses, beginning with frame first, to your array. They equal those of
+/// v_path_sample(). Use it to take a long path in pieces.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE (first is 0, or there are fewer poses),
+/// V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_sample_range(
     path: *const V_PATH,
@@ -159,10 +153,9 @@ pub unsafe extern "C" fn v_path_sample_range(
     })
 }
 
-/// The pose at one frame, 1 to the count of v_path_frame_count(); between two
-/// frames also, as 1.5. At a whole frame it is that of v_path_sample(), bit for bit.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
-/// V_ERR_LIMIT, V_ERR_MEMORY.
+/// Gets the pose at a frame, from 1 to v_path_frame_count(), also between two frames
+/// (1.5). At a whole frame it equals that of v_path_sample() bit for bit.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_pose(path: *const V_PATH, frame: f64, pose: *mut V_POSE) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -173,13 +166,12 @@ pub unsafe extern "C" fn v_path_pose(path: *const V_PATH, frame: f64, pose: *mut
     })
 }
 
-/// The poses at count frames, each as v_path_pose() returns it: for motion blur, sound, and
-/// pictures at the times at which they are shown. Any order; ascending frames are fastest.
+/// Gets the poses at count frames, as v_path_pose() does for one. Frames may have any
+/// order; ascending frames are fastest.
 ///
-/// frames  each from 1 to the count of v_path_frame_count()
-/// poses   room for count of them, which does not overlap the frames
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
-/// V_ERR_LIMIT, V_ERR_MEMORY.
+/// frames  each from 1 to v_path_frame_count()
+/// poses   space for count poses; must not overlap frames
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_poses_at(
     path: *const V_PATH,
@@ -216,12 +208,11 @@ pub(super) fn frame_of(given: f64, frames: usize, name: Name) -> Answer<f64> {
         .ok_or(failure)
 }
 
-/// All poses of a path as a list in the form of 1994, see V_KAMERAPAR: zooms are whole
-/// numbers there, 100 for any beyond. first is
-/// the host's and becomes the first element; its number must be set before, to
-/// -1 if there are no data yet. A list that VIDES made there before is freed
-/// when the new one is complete; any other list is left alone and only
-/// forgotten. If the call fails, the old list stays whole.
+/// Makes a list of all poses as in 1994, see V_KAMERAPAR: zooms are whole numbers, 100 for
+/// any larger zoom. first is your element and becomes the first; set its number before, to
+/// -1 if there is no data yet. A list that VIDES made there before is freed when the new
+/// one is complete; any other list is forgotten but not freed. If the call fails, the old
+/// list is unchanged.
 /// Any thread, if no other uses the list meanwhile; from callbacks too.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
@@ -238,14 +229,12 @@ pub unsafe extern "C" fn v_path_to_list(path: *const V_PATH, first: *mut V_KAMER
     })
 }
 
-/// Writes all poses of a path into a text file: one line for each, with VRP,
-/// VPN, VUP (x, y and z each) and zoom as C prints them by "%3.4f", separated
-/// by one space; the decimal sign is a point whatever the locale, and minus
-/// zero is written as zero. The file is afterwards wholly the old or wholly the
-/// new one.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO,
-/// V_ERR_LIMIT, V_ERR_MEMORY. Memory that runs out while the file is opened or
-/// written may end the program; the old file stays.
+/// Writes all poses of a path to a text file, one line each: VRP, VPN, VUP (x, y and z
+/// each) and zoom, as C prints them by "%3.4f", separated by one space. The decimal sign is
+/// a point in every locale, and minus zero is written as zero. The file is replaced
+/// atomically.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO, V_ERR_LIMIT, V_ERR_MEMORY. If memory runs out
+/// while the file is opened or written, the program may end; the old file is unchanged.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_write_ascii(path: *const V_PATH, file: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -259,12 +248,9 @@ pub unsafe extern "C" fn v_path_write_ascii(path: *const V_PATH, file: *const c_
     })
 }
 
-/// The lines of v_path_write_ascii() in memory, ended by zero; *length is their
-/// bytes without the zero. With a capacity not larger than *length nothing else is
-/// written, and the answer is V_ERR_SIZE. text NULL with capacity 0 only asks for
-/// *length.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE,
-/// V_ERR_LIMIT, V_ERR_MEMORY.
+/// Writes the lines of v_path_write_ascii() to memory, zero-terminated. The buffer works
+/// as in v_path_get_title().
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_write_ascii_to_memory(
     path: *const V_PATH,

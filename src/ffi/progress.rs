@@ -27,7 +27,7 @@ thread_local! {
     static WITHIN: Cell<u32> = const { Cell::new(0) };
 }
 
-/// Whether this thread is within its callback: whoever called that may hold a path.
+/// Whether this thread is within its callback: the call in progress may hold a path.
 pub(super) fn is_running() -> bool {
     WITHIN.get() > 0
 }
@@ -67,19 +67,18 @@ fn asked(share: f64) -> bool {
 
 /// ==== Progress ====
 ///
-/// Sets the function that the calling thread's long calls tell how far they are, ten times
-/// a second at most and not in the first tenth of one; NULL: none, as at first. These are
-/// v_path_fit_poses() and its kin, v_path_check(), v_path_retime(), v_path_steady(),
-/// v_path_avoid(), v_path_keep_in_picture() and v_path_tour(). With objects of up to a
-/// million triangles they ask at least twice a second, but for reading the object at the
-/// beginning, which takes about two seconds for a million.
+/// Sets the function that reports the progress of the calling thread's long calls; NULL,
+/// the default: none. It is called at most ten times a second, and not in the first tenth.
+/// Long calls are v_path_fit_poses() and its variants, v_path_check(), v_path_retime(),
+/// v_path_steady(), v_path_avoid(), v_path_keep_in_picture() and v_path_tour(). With up to
+/// a million triangles they call it at least twice a second, except while they read the
+/// object at the start: about two seconds for a million.
 ///
-/// progress  share is from 0 to 1, and may fall where the work begins another round; if it
-///     returns 0, the call ends with V_ERR_REFUSED and has changed nothing. It may call any
-///     function; a path that is in use at that moment, as that of the call is, answers
-///     V_ERR_BUSY there. No exception or longjmp() may leave it
-/// user  is handed to it
-/// Any thread; from callbacks too.
+/// progress  share is from 0 to 1, and may fall when another round begins. If it returns
+///     0, the call fails with V_ERR_REFUSED and changes nothing. It may call any function;
+///     a path in use, such as that of the call, returns V_ERR_BUSY. No exception or
+///     longjmp() may leave it
+/// user  your pointer, passed to progress
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_set_progress(
     progress: Option<unsafe extern "C" fn(share: c_double, user: *mut c_void) -> c_int>,

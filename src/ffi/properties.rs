@@ -17,10 +17,9 @@ use super::types::V_PATH;
 ///     orientation), "point.2.view.3.zoom" and so on
 /// value  as in the file: "30" or "[0, 1, 2]". Text needs no quotes; "" restores the
 ///     value of a new path
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE (no such
-/// property, point or orientation), V_ERR_ARGUMENT (not a value for it; the message
-/// names it), V_ERR_LIMIT, V_ERR_MEMORY. If memory runs out while the value itself is
-/// parsed, the program ends.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE (no such property, point or orientation),
+/// V_ERR_ARGUMENT (not a value for it; the message names it), V_ERR_LIMIT,
+/// V_ERR_MEMORY. If memory runs out while the value itself is parsed, the program ends.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_property(
     path: *mut V_PATH,
@@ -37,8 +36,8 @@ pub unsafe extern "C" fn v_path_set_property(
 
 /// Gets the value of a property as written in a .vid file, "" if it has none; see
 /// v_path_set_property(). The buffer works as in v_path_get_title().
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE,
-/// V_ERR_ARGUMENT, V_ERR_RANGE (no such property), V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE (no such
+/// property), V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_property(
     path: *const V_PATH,

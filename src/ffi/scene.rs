@@ -167,7 +167,7 @@ fn node_for_c(node: &Node, number: impl Fn(usize) -> Option<usize>) -> Answer<V_
 /// Fills in a node of this kind at the origin: size, visible, scale 1, rotation 1 0 0
 /// 0, no parent, no aim, zoom 24, white, intensity 1, a cone of 20 and 30 degrees,
 /// planes at 0.01 and 1000. An unknown kind is refused only where the node is used.
-/// Any thread; from callbacks too. NULL only sets v_last_error().
+/// NULL only sets v_last_error().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_node_init(node: *mut V_NODE, kind: c_int) {
     border((), || {
@@ -184,7 +184,7 @@ pub unsafe extern "C" fn v_node_init(node: *mut V_NODE, kind: c_int) {
 /// frame 1. Free *scene with v_scene_free(). For a scene in a space of your world, call
 /// v_scene_set_space(), then v_scene_set_path() for node 0 with a path of
 /// v_path_new_in_space().
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_MEMORY, V_ERR_LIMIT.
+/// V_ERR_NULL, V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_new(scene: *mut *mut V_SCENE) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -203,8 +203,8 @@ pub unsafe extern "C" fn v_scene_new(scene: *mut *mut V_SCENE) -> c_int {
 /// file that has changed is read as it is. In these cases the call still returns V_OK,
 /// and v_last_warning() reports them; "" if all meshes are unchanged.
 /// v_scene_load_geometry() reads a mesh from anywhere.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_IO, V_ERR_FORMAT (with line and
-/// reason in v_last_error()), V_ERR_MEMORY (but see v_path_load()), V_ERR_LIMIT.
+/// V_ERR_NULL, V_ERR_IO, V_ERR_FORMAT (with line and reason in v_last_error()),
+/// V_ERR_MEMORY (but see v_path_load()), V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_load(file: *const c_char, scene: *mut *mut V_SCENE) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -219,8 +219,8 @@ pub unsafe extern "C" fn v_scene_load(file: *const c_char, scene: *mut *mut V_SC
 /// Reads a scene from the text of a .vid file in memory, like v_scene_load(). text has
 /// size bytes of UTF-8 and need not be zero-terminated. Mesh files with relative names
 /// are looked up in the current directory. Free *scene with v_scene_free().
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_FORMAT (with line and reason in
-/// v_last_error()), V_ERR_MEMORY (but see v_path_load()), V_ERR_LIMIT.
+/// V_ERR_NULL, V_ERR_FORMAT (with line and reason in v_last_error()), V_ERR_MEMORY (but
+/// see v_path_load()), V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_load_from_memory(
     text: *const c_char,
@@ -249,8 +249,7 @@ fn insert_loaded(document: SceneDocument) -> Answer<*mut V_SCENE> {
 
 /// Gets the text of the .vid file of a scene, like v_path_save_to_memory(). The names
 /// of mesh files are unchanged.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_BUSY,
-/// V_ERR_LIMIT, V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_BUSY, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_save_to_memory(
     scene: *const V_SCENE,
@@ -267,8 +266,8 @@ pub unsafe extern "C" fn v_scene_save_to_memory(
 }
 
 /// Saves a scene to a .vid file, atomically like v_path_save().
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO, V_ERR_BUSY,
-/// V_ERR_LIMIT, V_ERR_MEMORY (but see v_path_save()).
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO, V_ERR_BUSY, V_ERR_LIMIT, V_ERR_MEMORY (but see
+/// v_path_save()).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_save(scene: *const V_SCENE, file: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -281,8 +280,7 @@ pub unsafe extern "C" fn v_scene_save(scene: *const V_SCENE, file: *const c_char
 
 /// Makes an independent copy of a scene. Both share geometry until one of them changes
 /// it. Free *copy with v_scene_free().
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY, V_ERR_MEMORY,
-/// V_ERR_LIMIT.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY, V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_clone(scene: *const V_SCENE, copy: *mut *mut V_SCENE) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -294,7 +292,6 @@ pub unsafe extern "C" fn v_scene_clone(scene: *const V_SCENE, copy: *mut *mut V_
 }
 
 /// Frees a scene, like v_path_free(). NULL is ignored.
-/// Any thread; from callbacks too.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_free(scene: *mut V_SCENE) {
     border((), || {
@@ -308,7 +305,7 @@ pub unsafe extern "C" fn v_scene_free(scene: *mut V_SCENE) {
 /// ==== Nodes ====
 ///
 /// Gets the number of nodes in a scene.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_node_count(scene: *const V_SCENE, count: *mut c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -321,8 +318,8 @@ pub unsafe extern "C" fn v_scene_node_count(scene: *const V_SCENE, count: *mut c
 
 /// Adds a node after the others. *node receives its number; it may be NULL. name is
 /// unique in its scene: UTF-8, one line, not empty.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE,
-/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT,
+/// V_ERR_BUSY, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_add_node(
     scene: *mut V_SCENE,
@@ -353,8 +350,7 @@ pub(super) fn copied_name(text: &str) -> Answer<String> {
 /// that aimed at a removed one no longer aim. Removing many nodes in a row costs no
 /// more than removing one; you may read the number of nodes, names and nodes in
 /// between.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY,
-/// V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_remove_node(scene: *mut V_SCENE, node: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -364,8 +360,7 @@ pub unsafe extern "C" fn v_scene_remove_node(scene: *mut V_SCENE, node: c_int) -
 }
 
 /// Gets the number of the node with this name.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no such
-/// node), V_ERR_BUSY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no such node), V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_find_node(
     scene: *const V_SCENE,
@@ -388,7 +383,7 @@ pub unsafe extern "C" fn v_scene_find_node(
 
 /// Gets the name of a node. The text belongs to the library and is valid until the same
 /// thread's next call of a function that returns a text of a scene.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_name(
     scene: *const V_SCENE,
@@ -407,8 +402,8 @@ pub unsafe extern "C" fn v_scene_get_name(
 }
 
 /// Renames a node, see v_scene_add_node().
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
-/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
+/// V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_name(
     scene: *mut V_SCENE,
@@ -423,8 +418,7 @@ pub unsafe extern "C" fn v_scene_set_name(
 }
 
 /// Gets a node at rest. Set values->size before.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_RANGE,
-/// V_ERR_BUSY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_RANGE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_node(
     scene: *const V_SCENE,
@@ -450,8 +444,8 @@ pub unsafe extern "C" fn v_scene_get_node(
 /// position, rotation and scale are read relative to the old parent and converted, so
 /// that the node keeps its place in the world at the scene's first frame. A node that
 /// moves can only change to a parent in the same place as the old one.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT
-/// (such as a cycle), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT (such as a cycle), V_ERR_RANGE,
+/// V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_node(
     scene: *mut V_SCENE,
@@ -478,8 +472,8 @@ pub unsafe extern "C" fn v_scene_set_node(
 /// path.
 ///
 /// after  V_AFTER_HOLD, V_AFTER_REPEAT or V_AFTER_PINGPONG; applies before the path too
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
-/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
+/// V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_path(
     scene: *mut V_SCENE,
@@ -499,8 +493,8 @@ pub unsafe extern "C" fn v_scene_set_path(
 }
 
 /// Gets a copy of the path that a node follows. Free *path with v_path_free().
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (it follows
-/// none), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (it follows none), V_ERR_RANGE,
+/// V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_path(
     scene: *const V_SCENE,
@@ -523,8 +517,8 @@ pub unsafe extern "C" fn v_scene_get_path(
 
 /// Sets a marker at a frame, or moves the marker of this name (UTF-8, one line, not
 /// empty).
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
-/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
+/// V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_marker(
     scene: *mut V_SCENE,
@@ -540,8 +534,8 @@ pub unsafe extern "C" fn v_scene_set_marker(
 
 /// Pins a point of a node's path to a marker; NULL removes the pin. Pins hold when the
 /// path changes, and are saved.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
-/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
+/// V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_pin(
     scene: *mut V_SCENE,

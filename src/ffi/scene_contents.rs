@@ -41,8 +41,7 @@ unsafe fn answer_count(
 ///
 /// Gets the frame at which a node's path starts, and how it continues before and after,
 /// see v_scene_set_path(). Any result may be NULL.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (it follows
-/// none), V_ERR_RANGE, V_ERR_BUSY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (it follows none), V_ERR_RANGE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_start(
     scene: *const V_SCENE,
@@ -71,7 +70,7 @@ pub unsafe extern "C" fn v_scene_get_start(
 }
 
 /// Gets the number of tracks of a node.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_track_count(
     scene: *const V_SCENE,
@@ -91,7 +90,7 @@ pub unsafe extern "C" fn v_scene_track_count(
 
 /// Gets the channel of a node's track, for v_scene_get_track(); at counts from 0. The
 /// text is valid as for v_scene_get_name().
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_channel(
     scene: *const V_SCENE,
@@ -115,7 +114,7 @@ pub unsafe extern "C" fn v_scene_get_channel(
 }
 
 /// Gets the number of markers in a scene.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_marker_count(scene: *const V_SCENE, count: *mut c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -126,7 +125,7 @@ pub unsafe extern "C" fn v_scene_marker_count(scene: *const V_SCENE, count: *mut
 
 /// Gets a marker; markers are sorted by name and count from 0. Any result may be NULL;
 /// the text is valid as for v_scene_get_name().
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_marker(
     scene: *const V_SCENE,
@@ -149,8 +148,7 @@ pub unsafe extern "C" fn v_scene_get_marker(
 }
 
 /// Removes a marker and its pins.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no such
-/// marker), V_ERR_BUSY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no such marker), V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_remove_marker(scene: *mut V_SCENE, name: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -167,7 +165,7 @@ pub unsafe extern "C" fn v_scene_remove_marker(scene: *mut V_SCENE, name: *const
 }
 
 /// Gets the number of points that are pinned to markers.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_pin_count(scene: *const V_SCENE, count: *mut c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -178,7 +176,7 @@ pub unsafe extern "C" fn v_scene_pin_count(scene: *const V_SCENE, count: *mut c_
 
 /// Gets a pin as set by v_scene_pin(); pins are sorted by node and point and count from
 /// 0. Any result may be NULL; the text is valid as for v_scene_get_name().
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_pin(
     scene: *const V_SCENE,
@@ -206,8 +204,8 @@ pub unsafe extern "C" fn v_scene_get_pin(
 /// Gets the geometry of an object at rest, as set or read from a file; 0 points if it
 /// has none. The arrays belong to the library and are valid until the scene is changed
 /// or freed. Set mesh->size before.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT
-/// (no object), V_ERR_RANGE, V_ERR_BUSY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT (no object), V_ERR_RANGE,
+/// V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_geometry(
     scene: *const V_SCENE,
@@ -227,8 +225,7 @@ pub unsafe extern "C" fn v_scene_get_geometry(
 }
 
 /// Gets the number of shapes of an object.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no
-/// object), V_ERR_RANGE, V_ERR_BUSY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no object), V_ERR_RANGE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_shape_count(
     scene: *const V_SCENE,
@@ -245,8 +242,8 @@ pub unsafe extern "C" fn v_scene_shape_count(
 /// Gets the name and the points of an object's shape; shapes count from 0. xyz receives
 /// three numbers per point; capacity and *points count points. Any result may be NULL;
 /// the text is valid as for v_scene_get_name().
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (more points
-/// than room; *points is written), V_ERR_ARGUMENT (no object), V_ERR_RANGE, V_ERR_BUSY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (more points than room; *points is written),
+/// V_ERR_ARGUMENT (no object), V_ERR_RANGE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_shape(
     scene: *const V_SCENE,
@@ -279,8 +276,8 @@ pub unsafe extern "C" fn v_scene_get_shape(
 
 /// Removes a shape of an object. The numbers of later shapes decrease; all other shapes
 /// keep their weights, also in a track of the channel "weights".
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no
-/// object), V_ERR_RANGE, V_ERR_BUSY, V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no object), V_ERR_RANGE, V_ERR_BUSY,
+/// V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_remove_shape(
     scene: *mut V_SCENE,
@@ -294,8 +291,7 @@ pub unsafe extern "C" fn v_scene_remove_shape(
 }
 
 /// Gets the number of deformations of an object.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no
-/// object), V_ERR_RANGE, V_ERR_BUSY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no object), V_ERR_RANGE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_deformation_count(
     scene: *const V_SCENE,
@@ -318,9 +314,8 @@ pub unsafe extern "C" fn v_scene_deformation_count(
 /// of the geometry, box is 1 1 1 -1 -1 -1, which no other box is; give
 /// v_scene_add_deformation() NULL then. Any result may be NULL; the text is valid as
 /// for v_scene_get_name().
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (more
-/// parameters than room; *count is written), V_ERR_ARGUMENT (no object), V_ERR_RANGE,
-/// V_ERR_BUSY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (more parameters than room; *count is written),
+/// V_ERR_ARGUMENT (no object), V_ERR_RANGE, V_ERR_BUSY.
 /// cbindgen:ptrs-as-arrays=[[box; 6]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_deformation(

@@ -16,8 +16,7 @@ use crate::tools::check::FindingKind;
 /// ==== What a scene is called ====
 ///
 /// Sets the title of a scene, like v_path_set_title().
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
-/// V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_title(scene: *mut V_SCENE, title: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -27,7 +26,7 @@ pub unsafe extern "C" fn v_scene_set_title(scene: *mut V_SCENE, title: *const c_
 }
 
 /// Gets the title of a scene, like v_path_get_title().
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_BUSY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_title(
     scene: *const V_SCENE,
@@ -45,8 +44,7 @@ pub unsafe extern "C" fn v_scene_get_title(
 }
 
 /// Sets the comment of a scene, like v_path_set_comment().
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
-/// V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_comment(scene: *mut V_SCENE, comment: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -56,7 +54,7 @@ pub unsafe extern "C" fn v_scene_set_comment(scene: *mut V_SCENE, comment: *cons
 }
 
 /// Gets the comment of a scene, like v_path_get_comment().
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_BUSY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_comment(
     scene: *const V_SCENE,
@@ -75,14 +73,14 @@ pub unsafe extern "C" fn v_scene_get_comment(
 
 /// Sets the frame rate in frames per second, > 0 and at most 100000, by default 25.
 /// Positions at frames do not change.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_fps(scene: *mut V_SCENE, fps: f64) -> c_int {
     border(V_ERR_INTERNAL, || set_info(scene, "fps", fps))
 }
 
 /// Gets the frame rate in frames per second.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_fps(scene: *const V_SCENE, fps: *mut f64) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -95,7 +93,7 @@ pub unsafe extern "C" fn v_scene_get_fps(scene: *const V_SCENE, fps: *mut f64) -
 
 /// Sets the number shown to users for the scene's frame 1, by default 1. The functions
 /// of this library always use the scene's own frames.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_first_frame(scene: *mut V_SCENE, number: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -104,7 +102,7 @@ pub unsafe extern "C" fn v_scene_set_first_frame(scene: *mut V_SCENE, number: c_
 }
 
 /// Gets the number shown to users for the scene's frame 1.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_first_frame(
     scene: *const V_SCENE,
@@ -119,8 +117,7 @@ pub unsafe extern "C" fn v_scene_get_first_frame(
 }
 
 /// Sets the limit of a kind of finding, like v_path_set_limit().
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no such
-/// kind), V_ERR_RANGE, V_ERR_BUSY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no such kind), V_ERR_RANGE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_limit(
     scene: *mut V_SCENE,
@@ -138,8 +135,7 @@ pub unsafe extern "C" fn v_scene_set_limit(
 }
 
 /// Gets the limit of a kind of finding, like v_path_get_limit().
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
-/// V_ERR_BUSY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_limit(
     scene: *const V_SCENE,
@@ -161,8 +157,7 @@ pub unsafe extern "C" fn v_scene_get_limit(
 /// Sets the camera that is shown; -1: the first one on a path, or the first one if none
 /// is. The choice follows the node when numbers change, is removed with it, and is
 /// saved in the file.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no
-/// camera), V_ERR_RANGE, V_ERR_BUSY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no camera), V_ERR_RANGE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_camera(scene: *mut V_SCENE, node: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -172,7 +167,7 @@ pub unsafe extern "C" fn v_scene_set_camera(scene: *mut V_SCENE, node: c_int) ->
 }
 
 /// Gets the camera that is shown; -1 if the scene has none.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_camera(scene: *const V_SCENE, node: *mut c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -186,9 +181,8 @@ pub unsafe extern "C" fn v_scene_get_camera(scene: *const V_SCENE, node: *mut c_
 /// Sets the first and last frame of a scene; if first > last, they follow from all
 /// paths and keys. v_scene_frame_range() gets the range in effect. It is saved in the
 /// file.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (a number
-/// that is not finite), V_ERR_RANGE, V_ERR_LIMIT (more than 100000000 frames),
-/// V_ERR_BUSY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (a number that is not finite), V_ERR_RANGE,
+/// V_ERR_LIMIT (more than 100000000 frames), V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_range(scene: *mut V_SCENE, first: f64, last: f64) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -206,8 +200,8 @@ pub unsafe extern "C" fn v_scene_set_range(scene: *mut V_SCENE, first: f64, last
 /// keep  V_KEEP_PLACE: it keeps its place in the world at the scene's first frame, as
 ///     in v_scene_set_node(). V_KEEP_NUMBERS: its values, path and tracks are
 ///     unchanged, and it moves with its new parent
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (such as a
-/// cycle), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (such as a cycle), V_ERR_RANGE,
+/// V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_parent(
     scene: *mut V_SCENE,

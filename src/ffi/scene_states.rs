@@ -33,8 +33,7 @@ fn report(document: &SceneDocument, warnings: &Warnings) {
 ///
 /// Gets the first and last frame: those of v_scene_set_range(), otherwise those of all
 /// paths and keys; 1 and 1 if nothing moves. Any result may be NULL.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
-/// V_ERR_BUSY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_frame_range(
     scene: *const V_SCENE,
@@ -60,9 +59,8 @@ pub unsafe extern "C" fn v_scene_frame_range(
 /// If a "host:" interpolation is not registered, fails or returns a number that is not
 /// finite, its channel steps from key to key. The call then still returns V_OK, and
 /// v_last_warning() reports it; "" if there is nothing to report.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (fewer than the
-/// nodes; *count is written), V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
-/// V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (fewer than the nodes; *count is written),
+/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_evaluate(
     scene: *const V_SCENE,
@@ -110,8 +108,8 @@ pub unsafe extern "C" fn v_scene_evaluate(
 
 /// Gets count states of one node, at the frames first, first + frame_step and so on.
 /// "host:" interpolations are handled as in v_scene_evaluate().
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
-/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
+/// V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_sample(
     scene: *const V_SCENE,
@@ -155,9 +153,8 @@ pub unsafe extern "C" fn v_scene_sample(
 /// Gets the value of a channel (see v_scene_set_track()) at a frame, with or without a
 /// track. *width receives the number of its components and may be NULL; values may be
 /// NULL to get only that. "host:" interpolations are handled as in v_scene_evaluate().
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (fewer than the
-/// channel has; *width is written), V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT,
-/// V_ERR_BUSY, V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (fewer than the channel has; *width is
+/// written), V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_value(
     scene: *const V_SCENE,
@@ -195,9 +192,8 @@ pub unsafe extern "C" fn v_scene_value(
 /// the node. xyz receives three numbers per point; capacity and *points count points.
 /// *points may be NULL; xyz may be NULL to get only *points. "host:" interpolations are
 /// handled as in v_scene_evaluate().
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (more points
-/// than room; *points is written), V_ERR_ARGUMENT (no object), V_ERR_RANGE, V_ERR_BUSY,
-/// V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (more points than room; *points is written),
+/// V_ERR_ARGUMENT (no object), V_ERR_RANGE, V_ERR_BUSY, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_vertices(
     scene: *const V_SCENE,

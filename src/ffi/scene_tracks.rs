@@ -80,8 +80,8 @@ fn width(scene: *const V_SCENE, node: usize, channel: &Channel, euler: bool) -> 
 ///     "tcb": tension, continuity and bias of each key; otherwise NULL
 /// after   how it continues after the last key, V_AFTER_..., optionally | V_BEFORE_...
 ///     for before the first one
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
-/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
+/// V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_track(
     scene: *mut V_SCENE,
@@ -156,8 +156,8 @@ fn both(after: c_int) -> Answer<(Extrapolation, Extrapolation)> {
 /// track (*interpolation is then ""). capacity is the number of keys that frames,
 /// values and shape have room for. Any result may be NULL; the text is valid as for
 /// v_scene_get_name().
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
-/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_SIZE (more keys than room), V_ERR_BUSY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_SIZE (more
+/// keys than room), V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_track(
     scene: *const V_SCENE,
@@ -290,8 +290,7 @@ impl Host {
 /// replacing an older one; NULL removes it. name is NAME, with or without "host:". The
 /// function is called on any thread that evaluates a scene. It must not use scenes
 /// itself, and must return to its caller: no longjmp() and no exception may leave it.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_LIMIT,
-/// V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_register_interpolation(
     name: *const c_char,
@@ -323,8 +322,8 @@ pub unsafe extern "C" fn v_register_interpolation(
 ///
 /// Sets the geometry of an object; the mesh is copied. If the object has shapes, the
 /// mesh must have as many points as they have.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE,
-/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT,
+/// V_ERR_BUSY, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_geometry(
     scene: *mut V_SCENE,
@@ -343,8 +342,8 @@ pub unsafe extern "C" fn v_scene_set_geometry(
 /// of its name. A saved .vid file then refers to that file instead of containing the
 /// points, by a relative name if the file is in the same folder or below;
 /// v_scene_load() reads it again.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO, V_ERR_FORMAT,
-/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO, V_ERR_FORMAT, V_ERR_ARGUMENT, V_ERR_RANGE,
+/// V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_load_geometry(
     scene: *mut V_SCENE,
@@ -426,8 +425,8 @@ unsafe fn indices<const N: usize>(
 /// Adds a shape to an object: other positions for all its points. Its weight is 0 at
 /// first; the channel "weights" has one number per shape, and the mesh itself gets the
 /// remainder to 1.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
-/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
+/// V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_add_shape(
     scene: *mut V_SCENE,
@@ -478,8 +477,8 @@ pub(super) unsafe fn bounds(corners: *const f64) -> Answer<Bounds> {
 
 /// Adds a deformation (see v_deform()) to an object, after the others. *at receives its
 /// number and may be NULL. box NULL: the bounds of the geometry at rest.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
-/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
+/// V_ERR_MEMORY.
 /// cbindgen:ptrs-as-arrays=[[box; 6]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_add_deformation(
@@ -508,8 +507,7 @@ pub unsafe extern "C" fn v_scene_add_deformation(
 
 /// Removes a deformation with its tracks. The numbers of later deformations decrease,
 /// in the names of channels too.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
-/// V_ERR_RANGE, V_ERR_BUSY, V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_BUSY, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_remove_deformation(
     scene: *mut V_SCENE,
@@ -538,8 +536,7 @@ pub unsafe extern "C" fn v_scene_remove_deformation(
 ///              the first index fastest; (-1, -1, -1), (-1/3, -1, -1) ... is the
 ///              identity. Points outside the box do not move
 ///
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE,
-/// V_ERR_LIMIT, V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 /// cbindgen:ptrs-as-arrays=[[box; 6]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_deform(

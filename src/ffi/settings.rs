@@ -72,11 +72,11 @@ pub(super) unsafe fn comment_of(comment: *const c_char) -> Answer<String> {
 /// speed 50, finite and > 0, so that a larger value is slower. v_haupt() calls them
 /// speeds.
 ///
-/// move_frames  moving by one half size of the space (v_path_set_space())
+/// move_frames  moving by half_size (v_path_set_space())
 /// turn_frames  turning by 180 degrees
 /// zoom_frames  zooming from 1 to 100
 /// roll_frames  rolling by 90 degrees
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_base_frames(
     path: *mut V_PATH,
@@ -101,7 +101,7 @@ pub unsafe extern "C" fn v_path_set_base_frames(
 }
 
 /// Gets the base speeds, see v_path_set_base_frames(). Any result may be NULL.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
+/// V_ERR_NULL, V_ERR_HANDLE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_base_frames(
     path: *const V_PATH,
@@ -133,7 +133,7 @@ pub unsafe extern "C" fn v_path_get_base_frames(
 
 /// Closes a path with one more segment from the last point to the first (not 0), or
 /// opens it (0).
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
+/// V_ERR_NULL, V_ERR_HANDLE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_closed(path: *mut V_PATH, closed: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -142,7 +142,7 @@ pub unsafe extern "C" fn v_path_set_closed(path: *mut V_PATH, closed: c_int) -> 
 }
 
 /// Gets whether a path is closed: 1 or 0.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
+/// V_ERR_NULL, V_ERR_HANDLE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_closed(path: *const V_PATH, closed: *mut c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -156,7 +156,7 @@ pub unsafe extern "C" fn v_path_get_closed(path: *const V_PATH, closed: *mut c_i
 /// Sets how the camera turns between its orientations (V_ORIENTATION_TCB,
 /// V_ORIENTATION_BARRY_GOLDMAN, V_ORIENTATION_SLERP) and how the zoom changes
 /// (V_ZOOM_SMOOTH, V_ZOOM_LINEAR).
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_modes(
     path: *mut V_PATH,
@@ -183,7 +183,7 @@ pub unsafe extern "C" fn v_path_set_modes(
 }
 
 /// Gets the modes, see v_path_set_modes(). Any result may be NULL.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
+/// V_ERR_NULL, V_ERR_HANDLE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_modes(
     path: *const V_PATH,
@@ -209,8 +209,7 @@ pub unsafe extern "C" fn v_path_get_modes(
 }
 
 /// Sets the title of a path: UTF-8, one line of at most 256 bytes; "" removes it.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
-/// V_ERR_LIMIT, V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_title(path: *mut V_PATH, title: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -223,7 +222,7 @@ pub unsafe extern "C" fn v_path_set_title(path: *mut V_PATH, title: *const c_cha
 /// Gets the title of a path, zero-terminated. *length is its number of bytes without
 /// the zero. If capacity is not larger than *length, only *length is written and the
 /// call fails with V_ERR_SIZE; with title NULL and capacity 0, only *length is written.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_title(
     path: *const V_PATH,
@@ -241,8 +240,7 @@ pub unsafe extern "C" fn v_path_get_title(
 }
 
 /// Sets the comment of a path: UTF-8, any number of lines; "" removes it.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
-/// V_ERR_LIMIT, V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_comment(path: *mut V_PATH, comment: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -253,7 +251,7 @@ pub unsafe extern "C" fn v_path_set_comment(path: *mut V_PATH, comment: *const c
 }
 
 /// Gets the comment of a path, like v_path_get_title().
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_comment(
     path: *const V_PATH,
@@ -272,7 +270,7 @@ pub unsafe extern "C" fn v_path_get_comment(
 
 /// Sets the frame rate in frames per second, > 0 and at most 100000, by default 25.
 /// Poses do not change.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_fps(path: *mut V_PATH, fps: f64) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -281,7 +279,7 @@ pub unsafe extern "C" fn v_path_set_fps(path: *mut V_PATH, fps: f64) -> c_int {
 }
 
 /// Gets the frame rate in frames per second.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
+/// V_ERR_NULL, V_ERR_HANDLE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_fps(path: *const V_PATH, fps: *mut f64) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -294,7 +292,7 @@ pub unsafe extern "C" fn v_path_get_fps(path: *const V_PATH, fps: *mut f64) -> c
 
 /// Sets the number of the first pose in the user's film, by default 1. Files in other
 /// formats count from it; the library itself counts poses from 1.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
+/// V_ERR_NULL, V_ERR_HANDLE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_first_frame(path: *mut V_PATH, number: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -304,7 +302,7 @@ pub unsafe extern "C" fn v_path_set_first_frame(path: *mut V_PATH, number: c_int
 }
 
 /// Gets the number of the first pose in the user's film.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
+/// V_ERR_NULL, V_ERR_HANDLE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_first_frame(path: *const V_PATH, number: *mut c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -318,8 +316,8 @@ pub unsafe extern "C" fn v_path_get_first_frame(path: *const V_PATH, number: *mu
 /// Sets the object that is shown with a path, copied; NULL: none. The window draws its
 /// lines and the edges of its triangles; if lines have more than 1,000,000 points in
 /// all, only the points where they end or bend. v_path_check() uses the triangles.
-/// Any thread; from callbacks too. V_ERR_NULL (path), V_ERR_SIZE, V_ERR_HANDLE,
-/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// V_ERR_NULL (path), V_ERR_SIZE, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE,
+/// V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_object(path: *mut V_PATH, object: *const V_MESH) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -336,7 +334,7 @@ pub unsafe extern "C" fn v_path_set_object(path: *mut V_PATH, object: *const V_M
 /// Gets the object that is shown with a path, with its triangles if it has any; 0
 /// points if there is no object. The arrays belong to the library and are valid until
 /// the same thread's next call of this function or its end. Set mesh->size before.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_object(path: *const V_PATH, mesh: *mut V_MESH) -> c_int {
     border(V_ERR_INTERNAL, || {

@@ -19,8 +19,7 @@ use crate::path::{CurveKind, Tangents, curve};
 /// cusp or loop, and no way back, where points stand close), "cubic" as a cubic
 /// spline with a continuous second derivative, "linear" straight. Tangents that points
 /// own hold in each.
-/// Any thread; from callbacks too. V_ERR_NULL,
-/// V_ERR_HANDLE, V_ERR_RANGE.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_curve(path: *mut V_PATH, kind: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -33,7 +32,7 @@ pub unsafe extern "C" fn v_path_set_curve(path: *mut V_PATH, kind: *const c_char
 
 /// How the curve leads through the points, see v_path_set_curve(). The text is
 /// the library's and stays.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
+/// V_ERR_NULL, V_ERR_HANDLE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_curve(path: *const V_PATH, kind: *mut *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -44,12 +43,11 @@ pub unsafe extern "C" fn v_path_get_curve(path: *const V_PATH, kind: *mut *const
     })
 }
 
-/// Gives a support point tangents of its own: the derivatives with which the
-/// curve reaches it (before) and leaves it (after), a segment counting 1. Both
-/// NULL: none of its own, those by the kind of the curve again. Each coordinate
-/// is finite and at most 1e9 half sizes of the space.
-/// Any thread; from callbacks too. V_ERR_NULL,
-/// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE.
+/// Gives a point custom tangents: the derivatives with which the curve reaches it (before)
+/// and leaves it (after), a segment counting 1. If both are NULL, the point uses the
+/// tangents of the curve's kind again. Coordinates are limited as in
+/// v_path_insert_point().
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[before; 3], [after; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_tangents(
@@ -72,11 +70,10 @@ pub unsafe extern "C" fn v_path_set_tangents(
     })
 }
 
-/// The tangents with which the curve passes a support point, and whether they
-/// are its own (1) or not (0). At an end of an open path both are that of the
-/// one side. Setting what this gives changes no bit of the curve (of a cubic
-/// spline no more than rounding). Each result may be NULL.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+/// Gets the tangents of the curve at a point, and whether they are custom (1) or not (0).
+/// At an end of an open path both are equal. Setting these tangents does not change the
+/// curve, except for rounding in a cubic spline. Any result may be NULL.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[before; 3], [after; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_tangents(
@@ -109,21 +106,18 @@ pub unsafe extern "C" fn v_path_get_tangents(
     })
 }
 
-/// Inserts a support point on the curve where the camera is at a frame, and
-/// keeps the motion: the curve, every pose and the number of frames stay. It
-/// comes to lie at the nearest whole frame within the section (in a section of
-/// one frame where it is asked for, and there are two then). So that nothing
-/// changes, the points beside it own their tangents from then on, and
-/// orientations their angular velocity, their slopes of zoom and roll, and a
-/// part of the old pace. These tangents are removed when their point or one
-/// beside it moves, unless they move together; v_path_set_tangents() makes them
-/// the point's own for good.
+/// Inserts a point on the curve where the camera is at a frame. The curve, every pose and
+/// the number of frames do not change. The point gets the nearest whole frame within the
+/// section; a section of one frame becomes two frames, split where you ask. To keep the
+/// motion, the neighbouring points get custom tangents, and orientations a custom angular
+/// velocity, custom slopes of zoom and roll, and a part of the old speed profile. Such
+/// tangents are removed when their point or a neighbour moves alone;
+/// v_path_set_tangents() makes them permanent.
 ///
 /// frame  from 1 to the number of frames, not at a key and not in a pan; the
 ///     orientation mode must not be V_ORIENTATION_BARRY_GOLDMAN
-/// at     the number of the new point; may be NULL
-/// Any thread; from callbacks too. V_ERR_NULL,
-/// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// at     index of the new point; may be NULL
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_insert_on_curve(
     path: *mut V_PATH,

@@ -107,15 +107,14 @@ impl SpaceOut {
 ///
 /// centre     (0, 0, 0) in a new path
 /// half_size  half the length of its edge, 1e-30 to 1e30; 1 in a new path. Centre,
-///     points and targets are at most 1e9 half sizes away
+///     points and targets are at most 1e9 times as far away
 /// up         V_UP_Y, as in a new path, or V_UP_Z
 ///
 /// Positions, offsets, tangents and lengths of a path are in your world's units. Base
 /// frames, limits (V_LIMITS, v_path_check()) and the distances below which nothing
-/// moves are counted in half sizes, so that they mean the same in metres and in
+/// moves are counted in units of half_size, so that they mean the same in metres and in
 /// angstroms.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (a number
-/// that is not finite), V_ERR_RANGE.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (a number that is not finite), V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[centre; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_space(
@@ -132,7 +131,7 @@ pub unsafe extern "C" fn v_path_set_space(
 }
 
 /// Gets the space of a path. Any result may be NULL.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
+/// V_ERR_NULL, V_ERR_HANDLE.
 /// cbindgen:ptrs-as-arrays=[[centre; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_space(
@@ -152,7 +151,6 @@ pub unsafe extern "C" fn v_path_get_space(
 /// Fills in a space: size, centre (0, 0, 0), half_size 1, V_UP_Y. NULL only sets
 /// v_last_error(). In C, a macro of this name passes the struct's size on, as for
 /// v_editor_options_init().
-/// Any thread; from callbacks too.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_space_init(space: *mut V_SPACE) {
     border((), || {
@@ -162,7 +160,6 @@ pub unsafe extern "C" fn v_space_init(space: *mut V_SPACE) {
 }
 
 /// Like v_space_init(), for a struct of size bytes, see v_editor_options_init_sized().
-/// Any thread; from callbacks too.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_space_init_sized(space: *mut V_SPACE, size: usize) {
     border((), || {
@@ -174,8 +171,8 @@ pub unsafe extern "C" fn v_space_init_sized(space: *mut V_SPACE, size: usize) {
 /// Makes a new path in a space, placed as the path of v_path_new() is in its own; the
 /// same as in a new window with this space. NULL: like v_path_new(). Free *path with
 /// v_path_free().
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT (a number
-/// that is not finite), V_ERR_RANGE, V_ERR_MEMORY, V_ERR_LIMIT.
+/// V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT (a number that is not finite), V_ERR_RANGE,
+/// V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_new_in_space(
     space: *const V_SPACE,
@@ -197,7 +194,7 @@ pub unsafe extern "C" fn v_path_new_in_space(
 /// sees: all poses stay the same, between frames too. Rolls are then measured from the
 /// new axis. Views that track a target or look ahead get the old axis as their up, "y"
 /// or "z" (v_path_set_up()); ups "y" or "z" that equal the new axis become "axis".
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_change_up(path: *mut V_PATH, up: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -210,8 +207,7 @@ pub unsafe extern "C" fn v_path_change_up(path: *mut V_PATH, up: c_int) -> c_int
 /// *orientation is unchanged, so call v_orientation_init() before. up is the up axis of
 /// the path that it is for (V_UP_Y, V_UP_Z). vpn and vup may have any length but zero;
 /// vup need not be perpendicular to vpn, but must not be parallel to it.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE
-/// (zoom, up).
+/// V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE (zoom, up).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_orientation_from_pose(
     pose: *const V_POSE,

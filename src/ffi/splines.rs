@@ -48,8 +48,7 @@ unsafe fn keys_and_times<'a>(
 /// key_times  the time of each key, strictly increasing
 /// count  at least 2
 /// when   from the first time to the last
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE,
-/// V_ERR_LIMIT, V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 /// cbindgen:ptrs-as-arrays=[[q; 4]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_quat_spline(
@@ -72,8 +71,7 @@ pub unsafe extern "C" fn v_quat_spline(
 /// Like v_quat_spline(), on a cubic spherical curve with tension, continuity and bias.
 ///
 /// tcb  tension, continuity and bias of each key, each from -1 to 1; NULL: all zero
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE,
-/// V_ERR_LIMIT, V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 /// cbindgen:ptrs-as-arrays=[[q; 4]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_quat_tcb_spline(
@@ -111,7 +109,7 @@ pub unsafe extern "C" fn v_quat_tcb_spline(
 /// speed_at_u         the speed at u
 /// distance_fraction  the fraction of the distance covered at u, 0 to 1
 /// Any result may be NULL.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE.
+/// V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[speed; 10]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_speed_curve(

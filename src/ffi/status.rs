@@ -445,25 +445,22 @@ pub(super) fn with_last_error(show: impl FnOnce(&[u8])) {
 /// sentence says it; frames count from 1. The text belongs to the library and is valid
 /// until the same thread's next call of any function except this one, v_last_warning(),
 /// v_strerror() and v_version().
-/// Any thread; from callbacks too.
 #[unsafe(no_mangle)]
 pub extern "C" fn v_last_error() -> *const c_char {
     with_message(|message| message.text.as_ptr().cast())
 }
 
 /// Returns the warnings of the calling thread's last call that can warn: sentences in
-/// English, UTF-8, "" if there are none. Never NULL. Comments of functions that can
+/// English, UTF-8, or "". Never NULL. Comments of functions that can
 /// warn mention it. If the text would exceed 1023 bytes, the sentence that does not fit
 /// is shortened in the middle. The text belongs to the library and is valid until the
 /// same thread's next call of a function that can warn.
-/// Any thread; from callbacks too.
 #[unsafe(no_mangle)]
 pub extern "C" fn v_last_warning() -> *const c_char {
     with(&WARNING, |message| message.text.as_ptr().cast())
 }
 
 /// Returns the meaning of a status, in English. Never NULL; the text is constant.
-/// Any thread; from callbacks too.
 #[unsafe(no_mangle)]
 pub extern "C" fn v_strerror(status: c_int) -> *const c_char {
     match status {
@@ -489,7 +486,6 @@ pub extern "C" fn v_strerror(status: c_int) -> *const c_char {
 
 /// Returns the version of the library in use, as "1.0.0". Never NULL; the text is
 /// constant.
-/// Any thread; from callbacks too.
 #[unsafe(no_mangle)]
 pub extern "C" fn v_version() -> *const c_char {
     concat!(env!("CARGO_PKG_VERSION"), "\0").as_ptr().cast()

@@ -48,8 +48,7 @@ fn course(document: &Document) -> Answer<(usize, f64)> {
 /// may lie between two whole frames. The last pose is at (v_path_frame_count() - 1) / fps
 /// seconds; other times are out of range. For the time of a whole frame from
 /// v_path_seconds_at_frame(), the result is exactly that frame.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT,
-/// V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_frame_at_seconds(
     path: *const V_PATH,
@@ -86,8 +85,7 @@ pub unsafe extern "C" fn v_path_frame_at_seconds(
 /// v_path_frame_at_seconds().
 ///
 /// frame  from 1 to v_path_frame_count(), also between two whole frames
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT,
-/// V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_seconds_at_frame(
     path: *const V_PATH,
@@ -108,8 +106,7 @@ pub unsafe extern "C" fn v_path_seconds_at_frame(
 /// frame, the motion before it. Set motion->size before.
 ///
 /// frame  from 1 to v_path_frame_count(), also between two whole frames
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_RANGE,
-/// V_ERR_LIMIT, V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_motion(
     path: *const V_PATH,

@@ -83,8 +83,7 @@ fn range(document: &Document, first: c_int, last: c_int) -> Answer<Vec<usize>> {
 ///     around x y z (0), radius (0.7), height (0.4), width (1.2),
 ///     from degrees (0), zoom mm (24), seconds (10)
 ///
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE,
-/// V_ERR_LIMIT, V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_from_move(
     r#move: *const c_char,
@@ -97,12 +96,11 @@ pub unsafe extern "C" fn v_path_from_move(
 }
 
 /// Like v_path_from_move(), in a space. With V_UP_Z, headings are towards +x (0) and +y
-/// (90), and heights along z. Default lengths are multiplied by the half size of the
+/// (90), and heights along z. Default lengths are multiplied by the half_size of the
 /// space; default positions are its centre. Free *path with v_path_free().
 ///
 /// space   see v_space_init(); NULL: centre (0, 0, 0), half_size 1, V_UP_Y
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE,
-/// V_ERR_LIMIT, V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_from_move_in_space(
     r#move: *const c_char,
@@ -139,8 +137,8 @@ pub unsafe extern "C" fn v_path_from_move_in_space(
 /// matrix  column by column, without shear; its last row is 0 0 0 1
 /// with_targets  1: targets, views and rolls are transformed too; 0: absolute targets
 ///     stay in place, relative ones keep their direction
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (shear, or
-/// a point would be at its own target), V_ERR_RANGE, V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (shear, or a point would be at its own
+/// target), V_ERR_RANGE, V_ERR_MEMORY.
 /// cbindgen:ptrs-as-arrays=[[matrix; 16]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_transform(
@@ -175,8 +173,7 @@ fn zero_or_one(number: c_int, name: &'static str) -> Answer<bool> {
 ///
 /// box    NULL: the bounds of the points' positions
 /// with_targets  1: their targets are deformed too; 0: they are unchanged
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
-/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 /// cbindgen:ptrs-as-arrays=[[box; 6]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_deform(
@@ -208,8 +205,7 @@ pub unsafe extern "C" fn v_path_deform(
 /// Copies the points from first_point to last_point into a new, open path with the same
 /// curve. On a closed path first_point may be after last_point. Free *block with
 /// v_path_free().
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY,
-/// V_ERR_LIMIT.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_extract(
     path: *const V_PATH,
@@ -240,8 +236,8 @@ pub unsafe extern "C" fn v_path_extract(
 /// Except with V_FIT_NONE, the block's first point is merged with that point, which
 /// keeps its views; with V_FIT_SCALE its last point is merged with the next point in
 /// the same way. A closed block ends where it begins. Duplicate names get a number.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no
-/// direction, or no length to scale), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no direction, or no length to scale),
+/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_insert_path(
     path: *mut V_PATH,
@@ -279,7 +275,7 @@ pub unsafe extern "C" fn v_path_insert_path(
 
 /// Reverses a path: the film shows the same poses in reverse order. Views that look
 /// ahead then look ahead in the new direction.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_reverse(path: *mut V_PATH) -> c_int {
     border(V_ERR_INTERNAL, || edit(path, Edit::Reverse))
@@ -287,8 +283,7 @@ pub unsafe extern "C" fn v_path_reverse(path: *mut V_PATH) -> c_int {
 
 /// Repeats a path count times. Each repetition begins where the last one ended, and its
 /// targets move with it; a closed path is run through count times.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT,
-/// V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_repeat(path: *mut V_PATH, count: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -299,12 +294,11 @@ pub unsafe extern "C" fn v_path_repeat(path: *mut V_PATH, count: c_int) -> c_int
 /// Makes the weighted sum of paths: positions, curve, targets, roll, zoom and speeds,
 /// point by point. Paths with fewer points are first resampled by length to the largest
 /// number of points. Fixed frames (rounded), angular velocities and slopes are blended
-/// where every path has them. Everything else comes from the path with the greatest
+/// where every path has them. The rest comes from the path with the greatest
 /// weight. Free *blend with v_path_free().
 ///
 /// weights  count numbers with the sum 1
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
-/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_blend(
     paths: *const *mut V_PATH,

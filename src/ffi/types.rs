@@ -233,7 +233,7 @@ pub struct v_space {
 
 pub type V_SPACE = v_space;
 
-/// Limits of a speed profile; 0: no limit. Lengths are in half sizes of the space
+/// Limits of a speed profile; 0: no limit. Lengths are in units of the space's half_size
 /// (v_path_set_space()), as in v_path_check(). v_limits_init() fills in the defaults of
 /// v_path_check().
 ///
@@ -243,11 +243,11 @@ pub type V_SPACE = v_space;
 pub struct v_limits {
     /// sizeof (V_LIMITS)
     pub size: usize,
-    /// half sizes per second
+    /// length per second
     pub speed: f64,
-    /// half sizes per second squared, in any direction
+    /// length per second squared, in any direction
     pub acceleration: f64,
-    /// half sizes per second cubed, the third difference at whole frames
+    /// per second cubed, the third difference at whole frames
     pub jerk: f64,
     /// degrees per second
     pub turning: f64,
@@ -363,7 +363,7 @@ pub struct v_editor_options {
     /// on_poses. NULL: none
     pub on_change: Option<unsafe extern "C" fn(editor: *mut V_EDITOR, user: *mut c_void)>,
     /// called when the user adds your program's view to the path (Ctrl-Enter): fill in
-    /// your camera and return 1, or return 0 if there is none. vpn and vup have any
+    /// your camera and return 1, or return 0 if you have no camera. vpn and vup have any
     /// length but 0 and are not parallel. NULL: the window uses the view of
     /// v_editor_set_view()
     pub on_capture: Option<

@@ -52,9 +52,8 @@ unsafe impl Growing for V_VIEW {
 /// projection, x and y are then from -1 to 1, and z is 0 in the front plane and -1 in
 /// the back plane. In a perspective projection, |x| and |y| are at most z, and z is 1
 /// in the back plane.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT (up parallel
-/// to normal), V_ERR_RANGE (prp not in front of the front plane, back plane not behind
-/// it, empty window).
+/// V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT (up parallel to normal), V_ERR_RANGE (prp not
+/// in front of the front plane, back plane not behind it, empty window).
 /// cbindgen:ptrs-as-arrays=[[m; 16]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_view_matrix(view: *const V_VIEW, m: *mut f64) -> c_int {
@@ -71,7 +70,7 @@ pub unsafe extern "C" fn v_view_matrix(view: *const V_VIEW, m: *mut f64) -> c_in
 /// Gets the perspective view of a camera in a pose. aspect is the width of the picture
 /// divided by its height; front and back are the distances of the planes from the
 /// camera, 0 < front < back. Set view->size before.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE.
+/// V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_view_from_pose(
     pose: *const V_POSE,
@@ -97,7 +96,7 @@ pub unsafe extern "C" fn v_view_from_pose(
 
 /// Gets the matrix of a camera in a pose as gluLookAt() makes it, for glLoadMatrixd():
 /// 16 numbers, column by column, from the world to the eye, looking along -z.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE.
+/// V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[m; 16]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_pose_gl_matrix(pose: *const V_POSE, m: *mut f64) -> c_int {
@@ -117,7 +116,7 @@ pub unsafe extern "C" fn v_pose_gl_matrix(pose: *const V_POSE, m: *mut f64) -> c
 /// is 24.
 ///
 /// zoom, height  finite and > 0
-/// Any thread; from callbacks too. NaN for anything else; v_last_error() returns why.
+/// NaN for anything else; v_last_error() returns why.
 #[unsafe(no_mangle)]
 pub extern "C" fn v_fov_from_zoom(zoom: f64, height: f64) -> f64 {
     border(f64::NAN, || Ok(fov_from_zoom(zoom, height)?))
@@ -129,7 +128,7 @@ pub extern "C" fn v_fov_from_zoom(zoom: f64, height: f64) -> f64 {
 ///
 /// fov     in degrees, between 0 and 180, both excluded
 /// height  finite and > 0
-/// Any thread; from callbacks too. NaN for anything else; v_last_error() returns why.
+/// NaN for anything else; v_last_error() returns why.
 #[unsafe(no_mangle)]
 pub extern "C" fn v_zoom_from_fov(fov: f64, height: f64) -> f64 {
     border(f64::NAN, || Ok(zoom_from_fov(fov, height)?))

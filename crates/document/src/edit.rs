@@ -35,13 +35,13 @@ pub enum Edit {
         points: usize,
     },
     /// Inserts a point on the curve at the nearest whole frame. Curve, pace, views and zoom stay as
-    /// they are: its neighbours get values of their own where needed. It becomes current.
+    /// they are: its neighbours get custom values where needed. It becomes current.
     InsertOnCurve {
         /// From 1 to the number of frames.
         frame: f64,
     },
     /// Fixes the frames of all moving sections from the first orientation of one point to the last
-    /// of another, so that there are exactly `frames` poses from the one to the other. All points
+    /// of another, so that the range has exactly `frames` poses. All points
     /// of a closed path mean its whole way.
     FitFrames {
         /// The first point.
@@ -68,7 +68,7 @@ pub enum Edit {
     /// refused where one of its absolute targets lies; aiming at something ends looking along the
     /// path; else as [`Edit::SetOrientation`].
     Set {
-        /// What has it.
+        /// The owner.
         place: At,
         /// Its key in files.
         property: &'static str,
@@ -120,20 +120,20 @@ pub enum Edit {
         /// Whether the path is mapped into the new space. The object never is.
         fit: bool,
     },
-    /// Which axis stands upright; all poses stay.
+    /// Which axis is up; all poses stay.
     ChangeUp(Up),
     /// Edits the path of another node of the scene, or of none. Files do not record this, and by
     /// itself it is no step.
     EditNode(Option<usize>),
     /// Makes a part of the scene what it says ([`Part`]); a path becomes a scene with a camera on it first,
-    /// and is a path again where nothing else is left. What must goes along: tracks and pins of
-    /// what is removed, keys that lie where others come. A track of which no key is left goes, and
-    /// its last key's value is the node's at rest. Paths are fitted to markers.
+    /// and is a path again where nothing else is left. What depends on it is removed too: tracks
+    /// and pins of what is removed, keys that lie where others come. A track of which no key is
+    /// left goes, and its last key's value is the node's at rest. Paths are fitted to markers.
     Part(Box<Part>),
     /// Adds nodes behind the others; their parents and aims may be among them, which count on.
     AddNodes(Vec<Node>),
     /// Copies nodes with all that is in them, behind the others. Their names get a number, aims
-    /// among them go along, pins stay with the originals, meshes are shared.
+    /// among them refer to the copies, pins stay with the originals, meshes are shared.
     CopyNodes(Vec<usize>),
     /// Puts a node into another one, or none.
     SetParent {

@@ -190,7 +190,7 @@ pub enum Refused {
         Index(*orientation)
     )]
     OnTarget { point: usize, orientation: usize },
-    #[error("a target in this direction would lie further out than 1e9 half sizes")]
+    #[error("a target in this direction would lie farther than 1e9 half edges of the space")]
     TargetTooFar,
     #[error("this scene has no camera on a path")]
     NoCamera,

@@ -1,5 +1,6 @@
 //! Tangents that keep the motion of an insertion: what they keep is over when their point or one
-//! beside it moves, comes or goes. They are removed then, and the curve follows as it does elsewhere.
+//! neighbour moves, comes or goes. They are removed then, and the curve follows as it does
+//! elsewhere.
 
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -9,8 +10,8 @@ use glam::DVec3;
 use super::edit::{At, Edit};
 use vides_engine::path::CameraPath;
 
-/// Whether it moves points, or gives some another neighbour. What replaces the whole path or inserts
-/// another one has its own tangents.
+/// Whether it moves points, or gives some another neighbour. What replaces the whole path or
+/// inserts another one has its own tangents.
 pub(super) fn moves_points(edit: &Edit) -> bool {
     match edit {
         Edit::Set {

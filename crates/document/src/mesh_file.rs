@@ -1,4 +1,4 @@
-//! Meshes in files of their own, of which a scene stores name, length and checksum.
+//! Meshes in separate files, of which a scene stores name, length and checksum.
 
 use std::cell::Cell;
 use std::collections::HashMap;
@@ -191,7 +191,7 @@ struct Files {
 }
 
 impl Files {
-    /// Reads the mesh of a node, or takes it from the node that has it; what was wrong is told.
+    /// Reads the mesh of a node, or takes it from the node that has it; reports faults.
     fn set_mesh(
         &mut self,
         scene: &mut Scene,

@@ -1,4 +1,4 @@
-//! What a check tells besides its findings: where the camera is, and what was not looked at.
+//! What a check tells besides its findings: where the camera is, and what it ignored.
 
 use std::fmt;
 
@@ -16,14 +16,14 @@ use vides_engine::path::Pose;
 pub enum Note {
     /// The camera is inside a closed part of the object in all frames.
     Inside,
-    /// Objects move, appear or change: they were looked at as they stand at the path's first frame.
+    /// Objects move, appear or change: the check used the path's first frame.
     Moving {
         /// The name of the first.
         name: String,
         /// How many others there are.
         others: usize,
     },
-    /// What a parent, an aim, a roll or keys add to the camera was not looked at.
+    /// The check ignored what a parent, an aim, a roll or keys add to the camera.
     Camera,
 }
 
@@ -34,13 +34,13 @@ impl fmt::Display for Note {
             Self::Moving { name, others } => {
                 write!(f, "The object \"{name}\" ")?;
                 match others {
-                    0 => f.write_str("moves or changes: it was looked at as it stands"),
-                    1 => f.write_str(
-                        "and another one move or change: they were looked at as they stand",
-                    ),
+                    0 => f.write_str("moves or changes: it was checked as it is"),
+                    1 => {
+                        f.write_str("and another one move or change: they were checked as they are")
+                    }
                     _ => write!(
                         f,
-                        "and {others} others move or change: they were looked at as they stand"
+                        "and {others} others move or change: they were checked as they are"
                     ),
                 }?;
                 f.write_str(" where the path begins.")

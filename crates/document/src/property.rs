@@ -108,7 +108,7 @@ impl Document {
         Ok(Place::Node(at.ok_or_else(missing)?, key))
     }
 
-    /// Sets a property by its name to a value as it stands in a file; texts need no quotes, and
+    /// Sets a property by its name to a value as in a file; texts need no quotes, and
     /// nothing gives back what a new path has. One step.
     ///
     /// # Errors
@@ -156,7 +156,7 @@ impl Document {
         self.apply(Edit::set(at, property, value)).map_err(told)
     }
 
-    /// All properties by their full names, each with its value as it stands in a file; those that
+    /// All properties by their full names, each with its value as in a file; those that
     /// are as in a new path and need not be told are left out.
     ///
     /// # Errors
@@ -203,7 +203,7 @@ impl Document {
         Ok(all)
     }
 
-    /// The value of a property by its name, as it stands in a file; empty if it has none.
+    /// The value of a property by its name, as in a file; empty if it has none.
     ///
     /// # Errors
     /// `ErrorKind::Range` if there is no such property; `ErrorKind::Memory`.
@@ -245,7 +245,7 @@ fn of<T: Table>(has: &T, key: &str) -> (Kind, Value) {
     })
 }
 
-/// The same of a view, or of what it has of its own.
+/// The same of a view, or of its custom values.
 fn view_of(view: &Orientation, key: &str) -> (Kind, Value) {
     match find(Orientation::PROPERTIES, key) {
         Some(_) => of(view, key),
@@ -253,7 +253,7 @@ fn view_of(view: &Orientation, key: &str) -> (Kind, Value) {
     }
 }
 
-/// Reads `key = value` as it stands in a file; what no value of a file is, is a text. Nothing is
+/// Reads `key = value` as in a file; what no value of a file is, is a text. Nothing is
 /// what a new one has.
 fn read_value<T: Table>(key: &str, value: &str, of: &T) -> Result<(&'static str, Value)> {
     let first = key.split('.').next().unwrap_or(key);

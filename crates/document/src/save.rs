@@ -53,11 +53,11 @@ pub fn save_unless_changed(file: &Path, bytes: &[u8], known: Option<Fingerprint>
 /// Saves what `write` writes. Of a symbolic link the target is replaced, unless another user has put
 /// it into a folder like `/tmp`. Mode and access control list stay, owner and group where the system
 /// lets us give them; other hard links keep the old file. Until it replaces the old file, the new
-/// one is readable by nobody else.
+/// one is readable by its owner only.
 ///
 /// # Errors
 /// `ErrorKind::Io` naming the file, or the error of `write`. The old file is whole then, and
-/// nothing is left beside it.
+/// no temporary file is left.
 pub fn save_with(file: &Path, write: &mut dyn FnMut(&mut dyn Write) -> Result<()>) -> Result<()> {
     replace(file, write, &|_| true).map(drop)
 }

@@ -110,7 +110,7 @@ pub enum StepName {
     InsertPath,
     /// Pasted points from the clipboard.
     PastePoints,
-    /// Mended what a check has found.
+    /// Fixed what a check has found.
     Mend,
     /// Reversed the path.
     Reverse,

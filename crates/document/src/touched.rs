@@ -33,7 +33,7 @@ impl Touched {
         keys.map(|(node, channel, keys)| (*node, channel, keys.as_slice()))
     }
 
-    /// What differs in `new` from `old`. Nothing is told of another scene.
+    /// What differs in `new` from `old`. Of another scene it reports nothing.
     pub(super) fn between(old: &Content, new: &Content) -> Self {
         let mut touched = Self::default();
         let Some(edited) = new.scene.as_deref() else {

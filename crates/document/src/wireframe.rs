@@ -107,7 +107,7 @@ pub fn features(mesh: &Mesh) -> Result<Vec<[u32; 2]>> {
 }
 
 /// The lines to draw on a mesh whose faces are seen: its own, borders and sharp edges, thinned as
-/// [`features`]; of a ball there are none.
+/// [`features`]; a ball has none.
 ///
 /// # Errors
 /// As [`features`].

@@ -95,7 +95,7 @@ pub(super) enum Action {
     Choose(SelectionChange),
     /// See the movement space from there.
     View(View),
-    /// How much of the space's room the camera's picture beside it takes.
+    /// The share of the space's width that the camera's picture takes.
     CameraShare(f32),
     /// Show the sliders around the space, or hide them.
     SwitchSliders,

@@ -207,7 +207,7 @@ impl Editor {
         self.tell(done)
     }
 
-    /// Does edits as one step of their own, or none of them.
+    /// Applies edits as one separate step, or none of them.
     pub(super) fn edit_all(&mut self, edits: impl IntoIterator<Item = Edit>) -> bool {
         self.document.end_step();
         self.edit_together(edits)

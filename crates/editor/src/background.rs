@@ -48,7 +48,7 @@ impl<T: Send + 'static> Background<T> {
         begun
     }
 
-    /// The same for what nobody waits for.
+    /// The same for work whose result is not awaited.
     pub(crate) fn begin_for_later(
         start: Option<Start>,
         work: impl FnOnce(Progress<'_>) -> Result<T> + Send + 'static,

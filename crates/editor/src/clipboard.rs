@@ -84,7 +84,7 @@ impl Editor {
         context.send_viewport_cmd(ViewportCommand::RequestPaste);
     }
 
-    /// Puts the points in a text behind the current one, as they lie, or pastes the view whose text
+    /// Inserts the points in a text after the current one, unmoved, or pastes the view whose text
     /// it is.
     pub(crate) fn pasted(&mut self, text: &str) {
         if is_keys(text) && self.document.edited_scene().is_some() {

@@ -13,6 +13,6 @@ pub(crate) enum Entry<T = f64> {
     Cancel,
     /// A value was typed.
     Set(T),
-    /// What was typed cannot be taken, in words.
+    /// Why the typed text is not valid.
     Wrong(String),
 }

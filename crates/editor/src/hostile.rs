@@ -1,6 +1,6 @@
 //! Checks of what any bytes do as a setup or a recovery file, for tests and the fuzzer in `fuzz/`.
 //!
-//! The readers stay private: the fuzzer gets these checks, in a build of its own (`cfg(fuzzing)`).
+//! The readers stay private: the fuzzer gets these checks, in a separate build (`cfg(fuzzing)`).
 
 use std::fs;
 use std::path::Path;

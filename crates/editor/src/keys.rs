@@ -153,7 +153,7 @@ pub(super) fn words(language: Language, action: &Action) -> Option<String> {
     Some(combination(language, modifiers, key))
 }
 
-/// Keys in words.
+/// The names of keys.
 pub(super) fn combination(language: Language, modifiers: Modifiers, key: Key) -> String {
     let texts = &language.texts().menu;
     let mut words = String::new();
@@ -177,7 +177,7 @@ pub(super) fn combination(language: Language, modifiers: Modifiers, key: Key) ->
     words
 }
 
-/// Takes the keyboard from whoever has it, which applies a typed text.
+/// Removes the keyboard focus, which applies a typed text.
 pub(super) fn release(context: &Context) {
     context.memory_mut(|memory| {
         if let Some(id) = memory.focused() {
@@ -219,7 +219,7 @@ pub(super) fn take_escape(context: &Context) -> bool {
         && consume_escape(context)
 }
 
-/// The same whoever has use for it.
+/// The same, even where a widget has a use for it.
 pub(super) fn consume_escape(context: &Context) -> bool {
     context.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape))
 }

@@ -1,4 +1,4 @@
-//! The length of the path: a change that alters it says so, with a way back from there; or the
+//! The length of the path: a change that alters it reports it, with a way back; or the
 //! length is kept, and the frames of all sections adapt within the same step.
 
 use vides_document::error::Result;

@@ -2,7 +2,7 @@
 //! with egui.
 //!
 //! Every change of the path is an edit of [`vides_document`], so that it can be undone. What leaves
-//! the window (poses for the host, closing) is a [`Request`], done by whoever runs the editor.
+//! the window (poses for the host, closing) is a [`Request`] to the program that runs the editor.
 //!
 //! It knows no X, no C and no host, and has no unsafe code, so that all of it runs in tests without
 //! a screen.

@@ -26,7 +26,7 @@ impl Entry {
         self.try_map(|value| Ok(to(value)))
     }
 
-    /// The same for what may be refused, in words.
+    /// The same for a value that may be refused with a reason.
     pub(super) fn try_map<T>(self, to: impl FnOnce(f64) -> Result<T, String>) -> Entry<T> {
         let refused = |made: Result<Entry<T>, String>| made.unwrap_or_else(Entry::Wrong);
         match self {
@@ -204,7 +204,7 @@ impl<'a> Number<'a> {
         if fixed { self.fixed() } else { self }
     }
 
-    /// A value in between, which nobody has set.
+    /// A value between those of keys.
     pub(super) fn faint(mut self, faint: bool) -> Self {
         self.faint = faint;
         self

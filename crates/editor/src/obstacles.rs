@@ -29,7 +29,7 @@ impl Editor {
         !self.document.info().object.is_empty() || self.document.edited_scene().is_some()
     }
 
-    /// The tree over the objects; `None` if there are none.
+    /// The tree over the objects, if any.
     pub(crate) fn obstacles(&self) -> Result<Option<Arc<Clearance>>> {
         let object = &self.document.info().object;
         let scene = self.document.edited_scene().map(|edited| edited.number());

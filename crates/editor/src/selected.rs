@@ -25,7 +25,7 @@ impl Selected {
 }
 
 impl Editor {
-    /// What removes the selected points, in words.
+    /// The menu text that removes the selected points.
     pub(crate) fn removal(&self) -> Cow<'static, str> {
         let texts = &self.texts().menu;
         match self.all_selected().len() {

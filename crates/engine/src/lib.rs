@@ -3,8 +3,8 @@
 //! [`path`] is the engine itself, [`math`] what it stands on; [`property`] its table of fields;
 //! [`shared_list`] the lists whose copies share their elements; [`scene`] is everything that moves
 //! on one timeline, [`deform`] deforms objects and paths, [`tools`] make paths of paths,
-//! [`planner`] plans how they are flown. It is a crate of its own to be optimised for speed, while
-//! the rest of the library is for size.
+//! [`planner`] plans how they are flown. It is a separate crate so that it is optimised for speed,
+//! while the rest of the library is for size.
 
 pub mod deform;
 pub mod descriptor;

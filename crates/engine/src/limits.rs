@@ -24,14 +24,15 @@ pub const SPEEDS: usize = 10;
 /// Points that one division of a segment inserts (`Pos.++`, thesis A.4.1).
 pub const MAX_DIVISION: usize = 10;
 
-/// The largest magnitude of a coordinate, in half sizes of the space: cubes of differences stay far
+/// The largest magnitude of a coordinate, in units of `half_size`: cubes of differences stay far
 /// from overflow, and 1e-7 is still resolved at the far end.
 pub const MAX_COORDINATE: f64 = 1e9;
 
-/// The smallest half size of a space: cubes of lengths down to 1e-9 of it stay far from underflow.
+/// The smallest `half_size` of a space: cubes of lengths down to 1e-9 of it stay far from
+/// underflow.
 pub const MIN_HALF_SIZE: f64 = 1e-30;
 
-/// The largest half size of a space: cubes of the largest coordinates stay far from overflow.
+/// The largest `half_size` of a space: cubes of the largest coordinates stay far from overflow.
 pub const MAX_HALF_SIZE: f64 = 1e30;
 
 /// The slowest speed of a speed curve (thesis A.4.3).
@@ -80,7 +81,7 @@ pub const MAX_TREE_BYTES: usize = 3 << 30;
 /// Frames of one section: the first pose of a path belongs to none.
 pub const MAX_SECTION_FRAMES: usize = MAX_FRAMES - 1;
 
-/// Keys of one section's given distance: few enough that slopes need no memory of their own.
+/// Keys of one section's given distance: few enough that slopes need no allocation.
 pub const MAX_DISTANCE_KEYS: usize = 32;
 
 /// The largest velocity or slope of a key, in degrees or mm a frame: no curve can follow more.

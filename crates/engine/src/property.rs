@@ -4,7 +4,7 @@
 //! keys of `.vid` files with their sentences, `vides set` and the tables of the documents come of
 //! the rows; a field without one does not compile.
 //!
-//! A structure that files write in a way of their own is nested: its row has no key.
+//! A structure that files write in a special way is nested: its row has no key.
 
 mod listed;
 #[doc(hidden)]

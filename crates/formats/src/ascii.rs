@@ -82,7 +82,8 @@ const SCALE: f64 = 1e4;
 /// Below this a ten-thousandth is more than the rounding of 10⁴·x: 10⁴·10¹¹ < 2⁵².
 const FAST: f64 = 1e11;
 
-/// Appends `x`, finite, as `%.*f` does: the exact value rounded to so many decimals, ties to even.
+/// Appends `x`, finite, as `%.*f` does: the exact value rounded to that number of decimals, ties to
+/// even.
 ///
 /// Of four decimals `p`, the rounded product 10⁴·x, decides alone unless it is exactly half-way:
 /// half-way numbers are multiples of `p`'s last place here, so the product's rounding cannot step

@@ -48,7 +48,7 @@ pub struct Recording {
     pub fps: Option<f64>,
     /// The number of the first frame, if the file says.
     pub first_frame: Option<f64>,
-    /// Which axis stands upright, if the file says.
+    /// Which axis is up, if the file says.
     pub up: Option<Up>,
     /// A title, may be empty.
     pub title: String,
@@ -76,7 +76,7 @@ impl Recording {
         Ok(())
     }
 
-    /// The times of the poses in seconds from the first, at so many frames a second; none if there
+    /// The times of the poses in seconds from the first, at a frame rate; none if there
     /// is a pose a frame.
     #[must_use]
     pub fn seconds_at(&self, fps: f64) -> Option<Vec<f64>> {

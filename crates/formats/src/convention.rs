@@ -1,6 +1,6 @@
 //! How others lay out cameras, angles, times and axes; converted here and nowhere else.
 //!
-//! Ours: right-handed, y or z upright, the camera looks along its view with its up; its quaternion
+//! Ours: right-handed, y or z up, the camera looks along its view with its up; its quaternion
 //! takes (0, 0, 1) to the view and (0, 1, 0) to up.
 
 use glam::{DAffine3, DMat3, DMat4, DQuat, DVec3};
@@ -37,7 +37,7 @@ pub fn zoom_of_field(radians: f64) -> (f64, bool) {
     within(HALF_FILM / (0.5 * radians).tan())
 }
 
-/// The focal length in pixels of a zoom, for a picture so many pixels high.
+/// The focal length in pixels of a zoom, for a picture of this height in pixels.
 #[must_use]
 pub fn focal_pixels(zoom: f64, height: f64) -> f64 {
     zoom * height / (2.0 * HALF_FILM)
@@ -223,7 +223,7 @@ fn perpendicular(v: DVec3, to: DVec3) -> DVec3 {
 /// Axes whose cosine is larger than this are sheared: more than numbers of 32 bits round.
 const SHEARED: f64 = 1e-5;
 
-/// Turns a world with one axis upright so that the other is: y to z is (x, −z, y).
+/// Turns a world from one up axis to the opposite convention: y to z is (x, −z, y).
 #[must_use]
 pub fn turn(from: Up, to: Up) -> DQuat {
     // By a quarter about x, exact in both vectors and matrices.

@@ -179,19 +179,19 @@ impl<'a> Flight<'a> {
         focal_pixels(zoom, self.size()[1])
     }
 
-    /// Which axis stands upright in the file.
+    /// Which axis is up in the file.
     #[must_use]
     pub const fn up(&self) -> Up {
         self.up
     }
 
-    /// Which axis stands upright in the document.
+    /// Which axis is up in the document.
     #[must_use]
     pub fn document_up(&self) -> Up {
         self.scene().space().up
     }
 
-    /// From the document's coordinates to the file's: turned upright, then scaled.
+    /// From the document's coordinates to the file's: rotated to its up axis, then scaled.
     #[must_use]
     pub fn to_file(&self) -> DAffine3 {
         DAffine3::from_quat(convention::turn(self.document_up(), self.up))
@@ -216,8 +216,8 @@ impl<'a> Flight<'a> {
         convention::turn(self.document_up(), self.up) * rotation
     }
 
-    /// The matrix of a node to the file's world: turned upright and moved as poses are. Lengths in
-    /// it are the file's, too.
+    /// The matrix of a node to the file's world: rotated to its up axis and moved as poses are.
+    /// Lengths in it are the file's, too.
     #[must_use]
     pub fn matrix(&self, state: &NodeState) -> [f64; 16] {
         let mut matrix = DMat4::from_cols_array(&state.matrix);
@@ -265,10 +265,10 @@ impl<'a> Flight<'a> {
         self.scene().nodes()[self.node].kind.looks()
     }
 
-    /// Tells what has no place in a format.
+    /// Reports what a format cannot hold.
     ///
     /// # Errors
-    /// [`Error::NoCamera`] if it is for cameras and the node is none.
+    /// [`Error::NoCamera`] if it is for cameras and the node is not a camera.
     pub(super) fn tell_left_out(&self, holds: Holds, report: &mut Report) -> Result<()> {
         match holds {
             Holds::Scene => {}
@@ -297,7 +297,7 @@ impl<'a> Flight<'a> {
         }
     }
 
-    /// Tells of the other nodes, and of what becomes a pose a frame.
+    /// Reports the other nodes, and of what becomes a pose a frame.
     fn tell_motion(&self, report: &mut Report) {
         self.tell_others(report);
         let node = &self.scene().nodes()[self.node];

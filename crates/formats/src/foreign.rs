@@ -1,6 +1,6 @@
 //! Files of other programs that are not read, each with the way to one that is.
 //!
-//! A name or a line at the beginning tells what a file is; nothing of it is parsed.
+//! A name or a first line identifies a file; the rest is not parsed.
 
 use std::fmt;
 use std::path::Path;

@@ -19,13 +19,13 @@ pub type Reader = fn(&Source, &Options, &mut Report) -> Result<Content>;
 /// [`Error::Document`] if the stream fails.
 pub type Writer = fn(&mut Flight<'_>, &mut dyn Write, &mut Report) -> Result<()>;
 
-/// What of a scene a format holds. Before a file is written, what has no place in it is told, and
+/// What of a scene a format holds. Before a file is written, losses are reported, and
 /// nodes that it is not for are refused.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Holds {
     /// All, with or without a camera.
     Scene,
-    /// What a camera sees; the writer tells what else there is.
+    /// What a camera sees; the writer reports the rest.
     View,
     /// A camera's poses, and the object.
     Motion,
@@ -46,7 +46,7 @@ pub struct Format {
     pub endings: &'static [&'static str],
     /// Whole file names that are always of this format.
     pub file_names: &'static [&'static str],
-    /// Which axis stands upright in every file, if the format says so.
+    /// Which axis is up in every file, if the format says so.
     pub up: Option<Up>,
     /// What of a scene it holds.
     pub holds: Holds,
@@ -145,7 +145,7 @@ impl Format {
         self.write_by(write, flight, out, report)
     }
 
-    /// Writes one of its files, by its writer; tells what the format does not hold.
+    /// Writes one of its files, by its writer; reports what the format cannot hold.
     ///
     /// # Errors
     /// [`Error::NoCamera`]; those of the writer.

@@ -102,7 +102,7 @@ fn write(flight: &mut Flight<'_>, out: &mut dyn Write, _: &mut Report) -> Result
     out.write_all(b"\n  ]\n}\n").map_err(blocks::failed)
 }
 
-/// A text of the file, empty if there is none.
+/// A text of the file, empty if missing.
 pub(super) fn text(at: Option<At<'_>>) -> Result<String> {
     Ok(at.map_or(Ok(""), At::text)?.to_owned())
 }

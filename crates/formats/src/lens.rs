@@ -1,4 +1,4 @@
-//! What is told of pictures in pixels: our cameras have one field of view about the centre.
+//! What is reported of pictures in pixels: our cameras have one field of view about the centre.
 
 use super::convention;
 use super::loss::{Loss, Report};
@@ -17,7 +17,7 @@ pub(super) struct Lens {
 /// A share of a picture's size that is rounding.
 const HAIR: f64 = 1e-6;
 
-/// What of so many pictures is not taken.
+/// Ignored properties, counted in pictures.
 #[derive(Debug, Default)]
 pub(super) struct Lenses {
     clamped: usize,

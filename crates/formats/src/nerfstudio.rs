@@ -1,6 +1,6 @@
 //! `camera_path.json` of nerfstudio (Tancik et al. 2023), what `ns-render camera-path` renders: one
 //! entry a frame, and the keys that its viewer shows and joins by a spline of its own. The camera
-//! looks along −z, z stands upright, fields of view are vertical and in degrees.
+//! looks along −z, z is up, fields of view are vertical and in degrees.
 
 use std::io::Write;
 
@@ -155,7 +155,7 @@ fn key_seconds(root: At<'_>, key: At<'_>, before: Option<f64>) -> Result<Option<
         .map(|step| before + step))
 }
 
-/// Tells what else such a file may hold.
+/// Reports what else such a file holds.
 fn tell_rest(root: At<'_>, poses: usize, report: &mut Report) {
     match root.get("camera_type").and_then(|at| at.value.as_str()) {
         None | Some("perspective") => {}

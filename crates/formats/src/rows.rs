@@ -22,7 +22,7 @@ pub(super) fn rows(text: &str) -> impl Iterator<Item = (Place, &str)> + Clone {
     lines.filter(|(_, text)| !text.is_empty() && !text.starts_with('#'))
 }
 
-/// Exactly so many finite numbers of a row.
+/// A row of exactly this many finite numbers.
 ///
 /// # Errors
 /// [`Wanted::Number`], [`Cause::NumberCount`], [`Cause::NotFinite`], with the place.

@@ -1,4 +1,4 @@
-//! A file that is read, and the files beside it.
+//! A file that is read, and the files next to it.
 
 use std::path::{Path, PathBuf};
 

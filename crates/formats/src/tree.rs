@@ -77,7 +77,7 @@ impl<'a> At<'a> {
         }
     }
 
-    /// The value of a key; none if there is none, or null.
+    /// The value of a key; none if missing, or null.
     pub(super) fn get(self, key: &'a str) -> Option<Self> {
         let value = self.value.get(key).filter(|value| !value.is_null())?;
         Some(self.step(Step::Key(key), value))
@@ -161,7 +161,7 @@ impl<'a> At<'a> {
             .ok_or_else(|| self.expected(Wanted::Text))
     }
 
-    /// An axis that stands upright, by its name.
+    /// An up axis, by its name.
     ///
     /// # Errors
     /// [`Wanted::Text`], [`Cause::Unsupported`].
@@ -175,7 +175,7 @@ impl<'a> At<'a> {
         })
     }
 
-    /// Exactly so many numbers.
+    /// A list of exactly this many numbers.
     ///
     /// # Errors
     /// [`Wanted::List`], [`Cause::NumberCount`], those of [`At::number`].

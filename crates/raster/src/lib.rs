@@ -322,7 +322,7 @@ fn steps(
 }
 
 impl Target<'_> {
-    /// All its pixels; `None` if there are none, or fewer than the target claims.
+    /// All its pixels; `None` if the target has none, or fewer than it claims.
     fn whole(&self) -> Option<PixelRect> {
         let (width, rows) = (self.width as usize, (self.height as usize).checked_sub(1)?);
         let room = self.stride.saturating_mul(rows).saturating_add(width);

@@ -2,7 +2,7 @@
 //! connections and one timer.
 //!
 //! The timer also announces work that no connection announces: a new window, events that were read
-//! along with a reply, a round that was cut short. The host needs no timers of its own, and an idle
+//! along with a reply, a round that was cut short. The host needs no timers, and an idle
 //! window never wakes it.
 
 #![allow(unsafe_code)] // system calls

@@ -2,7 +2,7 @@
 //!
 //! The calls have their own clock, sixty a second, because a window that is covered, iconified or
 //! behind a slow line shows no picture. Everything between two ticks is one call. A slow host gets
-//! as much time for itself as its call took, so that the window can follow the pointer. The last
+//! as much time as its call took, so that the window can follow the pointer. The last
 //! call always has the current state, and one more call reports that nothing moves.
 
 use std::time::{Duration, Instant};

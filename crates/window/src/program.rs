@@ -8,7 +8,7 @@ use std::time::{SystemTime, UNIX_EPOCH};
 
 use vides_editor::{Date, Program};
 
-/// The name by which the program was called, without folders; empty if there is none. Desktops
+/// The name by which the program was called, without folders; empty if unknown. Desktops
 /// group our windows with the program's by this name, and unsaved work is found by it.
 pub(super) fn name() -> String {
     let called = std::env::args_os().next().unwrap_or_default();

@@ -289,7 +289,7 @@ impl Xt {
         sound.then_some(found)
     }
 
-    /// Adds the descriptor to the inputs of a context (null: the default one) unless it has it.
+    /// Adds the descriptor to the inputs of a context (null: the default one), once.
     fn watch(&self, context: Context, descriptor: RawFd) {
         let entry = Watched {
             number: NUMBERS.fetch_add(1, Ordering::Relaxed),

@@ -20,7 +20,7 @@ const MAX_BYTES: u64 = 1 << 20;
 
 const COOKIE: &[u8] = b"MIT-MAGIC-COOKIE-1";
 
-/// The authorization name and data for this display; empty if there is none or time runs out.
+/// The authorization name and data for this display; empty if it is missing or time runs out.
 pub(super) fn authority(
     (family, address): (Family, &[u8]),
     display: u16,

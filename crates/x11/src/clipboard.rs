@@ -268,7 +268,7 @@ impl Clipboard {
         self.outgoing.iter().position(same)
     }
 
-    /// Continues the transfer to `window`; false if there is none.
+    /// Continues the transfer to `window`; false without such a transfer.
     fn receive(
         &mut self,
         connection: &Connection,

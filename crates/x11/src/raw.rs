@@ -99,7 +99,7 @@ impl Raw {
         Ok(asked)
     }
 
-    /// Fails if a request is so long that x11rb would query the extension for long requests.
+    /// Fails if x11rb would query the extension for long requests.
     fn fits(&self, bufs: &[IoSlice<'_>]) -> Result<(), ConnectionError> {
         let length = bufs.iter().map(|buf| buf.len()).sum::<usize>();
         match length <= self.maximum_request_bytes() {

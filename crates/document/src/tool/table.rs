@@ -46,19 +46,19 @@ pub(super) const SEEN: Parameter = Parameter {
     unit: Unit::Switch,
     least: 0.0,
     most: 1.0,
-    ..one("with-targets", "what the cameras see goes along", 0.0)
+    ..one("with-targets", "what the cameras see moves with it", 0.0)
 };
 const CHANGED: &[Parameter] = &[FIRST, LAST, SEEN];
 pub(super) const AXIS: Parameter = Parameter::choice("axis", "the axis", AXES, 1);
 pub(super) const ABOUT: Parameter = Parameter::choice(
     "about",
-    "what stays where it is",
+    "the fixed point",
     &["middle", "origin", "point", "target"],
     0,
 );
 pub(super) const PUT: &[Parameter] = &[Parameter::choice(
     "put",
-    "as a new path, or behind the current point and how it is brought there",
+    "as a new path, or after the current point, and how it is placed there",
     &["new", "none", "move", "turn", "scale"],
     0,
 )];
@@ -77,7 +77,7 @@ const TOLERANCE: Parameter = Parameter {
 pub(super) const TOOLS: &[Tool] = &[
     Tool {
         name: "draw",
-        does: "makes a path of a line that is drawn in the space with the left button",
+        does: "makes a path of a line drawn in the space with the left button",
         kind: Kind::Draw,
         tables: [&[TOLERANCE], PUT],
     },
@@ -98,7 +98,7 @@ pub(super) const TOOLS: &[Tool] = &[
     },
     Tool {
         name: "turn",
-        does: "turns points about an axis",
+        does: "rotates points about an axis",
         kind: Kind::Turn,
         tables: [
             &[AXIS, degrees("angle", "by which angle", 90.0), ABOUT],
@@ -179,13 +179,13 @@ pub(super) const TOOLS: &[Tool] = &[
     },
     Tool {
         name: "insert",
-        does: "puts a path from a file behind the current point",
+        does: "inserts a path from a file after the current point",
         kind: Kind::Insert,
         tables: [
             &[
                 Parameter::choice(
                     "fit",
-                    "how it is brought there",
+                    "how it is placed there",
                     &["none", "move", "turn", "scale"],
                     1,
                 ),
@@ -199,36 +199,36 @@ pub(super) const TOOLS: &[Tool] = &[
     },
     Tool {
         name: "extract",
-        does: "writes points as a path of their own",
+        does: "writes points as a separate path",
         kind: Kind::Extract,
         tables: [&[], RANGE],
     },
     Tool {
         name: "blend",
-        does: "blends the path with another one from a file",
+        does: "blends the path with another path from a file",
         kind: Kind::Blend,
         tables: [&[one("weight", "how much of the other path", 0.5)], &[]],
     },
     Tool {
         name: "reverse",
-        does: "turns the way round",
+        does: "reverses the path",
         kind: Kind::Reverse,
         tables: [&[], &[]],
     },
     Tool {
         name: "repeat",
-        does: "goes the way several times",
+        does: "repeats the path",
         kind: Kind::Repeat,
         tables: [&[count("times", "how often", 1000, 2.0)], &[]],
     },
     Tool {
         name: "frames",
-        does: "brings points to a number of frames",
+        does: "gives points an exact number of frames",
         kind: Kind::Frames,
         tables: [
             &[count(
                 "frames",
-                "how many, the first and the last with them",
+                "how many, including the first and the last",
                 MAX_FRAMES,
                 250.0,
             )],
@@ -237,7 +237,7 @@ pub(super) const TOOLS: &[Tool] = &[
     },
     Tool {
         name: "retime",
-        does: "computes the pace of points anew, within the limits of the check",
+        does: "recomputes the speed profile of points within the limits of the check",
         kind: Kind::Retime,
         tables: [
             &[Parameter {
@@ -251,7 +251,7 @@ pub(super) const TOOLS: &[Tool] = &[
     },
     Tool {
         name: "steady",
-        does: "takes the shaking of a hand out of a recorded flight",
+        does: "stabilises a recorded flight",
         kind: Kind::Steady,
         tables: [
             &[
@@ -261,8 +261,7 @@ pub(super) const TOOLS: &[Tool] = &[
                     most: 600.0,
                     ..one(
                         "period",
-                        "half of a movement that takes so long there and back stays, and hardly \
-                         anything of quicker ones",
+                        "cut-off period: motion of this period is halved, faster motion is removed",
                         1.0,
                     )
                 },
@@ -270,7 +269,11 @@ pub(super) const TOOLS: &[Tool] = &[
                     unit: Unit::Length,
                     least: 0.0,
                     most: MAX_COORDINATE,
-                    ..one("within", "no place goes farther than so; 0: no bound", 0.0)
+                    ..one(
+                        "within",
+                        "maximum distance any position may move; 0: no limit",
+                        0.0,
+                    )
                 },
             ],
             &[],
@@ -278,7 +281,7 @@ pub(super) const TOOLS: &[Tool] = &[
     },
     Tool {
         name: "avoid",
-        does: "leads the way clear of the object",
+        does: "moves the path away from the object",
         kind: Kind::Avoid,
         tables: [
             &[
@@ -313,11 +316,11 @@ pub(super) const TOOLS: &[Tool] = &[
                     most: 0.49,
                     ..one(
                         "margin",
-                        "the share that stays free at each side",
+                        "the share to keep free at each side",
                         DEFAULT_MARGIN,
                     )
                 },
-                Parameter::choice("what", "by what it is kept there", What::NAMES, 0),
+                Parameter::choice("what", "what keeps it there", What::NAMES, 0),
             ],
             &[],
         ],
@@ -337,18 +340,14 @@ pub(super) const TOOLS: &[Tool] = &[
                 Parameter {
                     least: 1e-6,
                     most: 1.0,
-                    ..one(
-                        "coverage",
-                        "the share of what can be seen of the surface that is shown",
-                        0.95,
-                    )
+                    ..one("coverage", "the share of the visible surface to show", 0.95)
                 },
                 Parameter {
                     unit: Unit::Length,
                     least: 0.0,
                     ..one(
                         "distance",
-                        "how far the camera is from what it shows; 0: found",
+                        "distance of the camera from what it shows; 0: automatic",
                         0.0,
                     )
                 },
@@ -364,7 +363,7 @@ pub(super) const TOOLS: &[Tool] = &[
     },
     Tool {
         name: "fit",
-        does: "makes a path of few points of recorded poses",
+        does: "fits a path of few points to recorded poses",
         kind: Kind::Fit,
         tables: [
             &[
@@ -384,7 +383,7 @@ pub(super) const TOOLS: &[Tool] = &[
                     most: 1.0,
                     ..one(
                         "robust",
-                        "leaves out single poses that are off from those around them",
+                        "ignores outliers: poses that differ from their neighbours",
                         0.0,
                     )
                 },

@@ -12,7 +12,7 @@ use vides_engine::limits::MAX_FILE_BYTES;
 /// The format version that is written, and the newest that is read.
 pub(super) const VERSION: i64 = 1;
 
-/// In place of a limit: its kind is not looked for.
+/// In place of a limit: disables its kind.
 pub(super) const OFF_NAME: &str = "off";
 
 /// For names, messages and the like: the standard library aborts if it cannot allocate them.

@@ -1,4 +1,4 @@
-//! Keys alone as text, as they stand in a scene's file: tables `[[node.track]]`, below `[[node]]` with
+//! Keys alone as text, as in a scene's file: tables `[[node.track]]`, below `[[node]]` with
 //! its name where they are of several nodes.
 
 use std::fmt::{self, Write};

@@ -1,4 +1,4 @@
-//! A mesh in a file: its own points, or the file that has them.
+//! A mesh in a file: its own points, or the name of a mesh file.
 
 use std::fmt;
 
@@ -13,7 +13,7 @@ use vides_engine::limits;
 
 pub(super) const KEYS: [&str; 4] = ["points", "colours", "lines", "triangles"];
 
-/// Takes a field of a mesh; false if it is none of [`KEYS`].
+/// Takes a field of a mesh; false if [`KEYS`] does not have it.
 pub(super) fn take(field: &Field<'_>, mesh: &mut Mesh) -> Result<bool> {
     match field.key {
         "points" => mesh.points = vectors(*field, limits::MAX_MESH_POINTS)?,
@@ -25,7 +25,7 @@ pub(super) fn take(field: &Field<'_>, mesh: &mut Mesh) -> Result<bool> {
     Ok(true)
 }
 
-/// A mesh: its own points, or the file that has them.
+/// A mesh: its own points, or the name of a mesh file.
 pub(super) fn read(table: Field<'_>) -> Result<(Option<MeshSource>, Mesh)> {
     let mut mesh = Mesh::default();
     let mut source = mesh_source::Reading::default();

@@ -23,7 +23,7 @@ pub(super) struct Reading<'a> {
 }
 
 impl<'a> Reading<'a> {
-    /// Takes a field; false if it is none of [`KEYS`].
+    /// Takes a field; false if [`KEYS`] does not have it.
     pub(super) fn take(&mut self, field: &Field<'a>) -> Result<bool> {
         match field.key {
             "file" => self.file = Some(field.text()?),
@@ -38,7 +38,7 @@ impl<'a> Reading<'a> {
         Ok(true)
     }
 
-    /// The source if there is a file; `alone`: the mesh has no points of its own.
+    /// The source if there is a file; `alone`: the file stores no points itself.
     pub(super) fn done(self, table: &Field<'_>, alone: bool) -> Result<Option<MeshSource>> {
         let part = self.part;
         match (self.file, self.bytes, self.checksum) {

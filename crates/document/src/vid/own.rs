@@ -68,7 +68,7 @@ impl Rows {
     }
 }
 
-/// The value that a field gives a property of `of`, but for its check.
+/// The value that a field gives a property of `of`, unchecked.
 pub(super) fn value<T>(
     field: Field<'_>,
     row: &Property<T>,
@@ -197,7 +197,7 @@ fn ease(table: Field<'_>) -> Result<Ease> {
     Ok(ease)
 }
 
-/// Keys of so many numbers each.
+/// Keys of `N` numbers each.
 fn distance_keys<const N: usize>(
     array: Field<'_>,
     check: fn(&[[f64; N]]) -> std::result::Result<(), vides_engine::Error>,

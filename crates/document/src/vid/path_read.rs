@@ -96,7 +96,7 @@ fn orientation(
     Ok(orientation)
 }
 
-/// Reads fields of an orientation; the others stay.
+/// Reads fields of an orientation; missing ones are unchanged.
 fn read_view<'a>(
     fields: impl Iterator<Item = Field<'a>>,
     into: &mut Orientation,
@@ -128,7 +128,7 @@ pub(crate) fn view_keys() -> impl Iterator<Item = &'static str> {
     keys::<Orientation>().chain(keys::<OrientationOverrides>())
 }
 
-/// The keys of a point, but for its orientations.
+/// The keys of a point, except its orientations.
 pub(crate) fn point_keys() -> impl Iterator<Item = &'static str> {
     keys::<SupportPoint>()
 }

@@ -54,7 +54,7 @@ pub(super) fn readable(text: String) -> Result<String> {
     each_fits(&text, MAX_TREE_BYTES).map(|()| text)
 }
 
-/// Whether each piece can be read within so many bytes.
+/// Whether each piece can be read within a limit of bytes.
 fn each_fits(text: &str, most: usize) -> Result<()> {
     let mut source = Source { text, start: 0 };
     while source.start < text.len() {

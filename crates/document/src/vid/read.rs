@@ -274,7 +274,7 @@ fn object(table: Field<'_>, space: Space) -> Result<Object> {
     })
 }
 
-/// The value that `key = value`, as it stands in a file, gives a property of `of`, but for its
+/// The value that `key = value`, as in a file, gives a property of `of`, except its
 /// check.
 pub(crate) fn value_of<T: Table>(text: &str, of: &T) -> Result<Value> {
     let source = Source { text, start: 0 };

@@ -168,7 +168,7 @@ impl<'a> Header<'a> {
     }
 }
 
-/// What follows a key in a table, without quotes; empty if it is not there.
+/// What follows a key in a table, without quotes; empty if it is missing.
 fn value_of_key<'a>(table: &'a str, key: &str) -> &'a str {
     for line in table.lines().map(str::trim_start) {
         if line.starts_with("[[") || line.starts_with("[node") {

@@ -172,7 +172,7 @@ pub(super) enum Reading<'a> {
     NoMemory,
 }
 
-/// The tree of a text that is written plainly, of at most so many bytes.
+/// The tree of a text that is written plainly, within a limit of bytes.
 pub(super) fn read(text: &str, most: usize) -> Reading<'_> {
     let mut plain = Plain::new(text, most);
     match plain.whole() {
@@ -183,8 +183,8 @@ pub(super) fn read(text: &str, most: usize) -> Reading<'_> {
     }
 }
 
-/// Whether a text that we have written can be read again within so many bytes; nothing is kept of it
-/// meanwhile.
+/// Whether a text that we have written can be read again within a limit of bytes; nothing is kept
+/// of it meanwhile.
 pub(super) fn fits(text: &str, most: usize) -> bool {
     let mut plain = Plain::new(text, most);
     plain.only_counts = true;
@@ -298,7 +298,7 @@ impl<'a> Plain<'a> {
         (!key.1.is_empty()).then_some(key)
     }
 
-    /// What stands before the next header.
+    /// The text before the next header.
     fn pairs(&mut self) -> Option<Table<'a>> {
         let mut table = Table::default();
         loop {
@@ -453,7 +453,7 @@ impl<'a> Plain<'a> {
         (count > 0).then_some(count)
     }
 
-    /// As TOML has it, which asks for more than Rust does; most of a file is this.
+    /// A number by TOML's rules, which are stricter than Rust's; most of a file is numbers.
     fn number(&mut self) -> Option<Value<'a>> {
         let start = self.at;
         self.take(b'-');

@@ -29,7 +29,7 @@ pub(crate) fn to_toml(
     comments.put_into(out.0, &[]).and_then(pieces::readable)
 }
 
-/// A view as it stands in a file.
+/// A view as in a file.
 pub(crate) fn view_to_toml(view: &Orientation) -> Result<String> {
     let mut out = Text(String::new());
     let written = orientation(&mut out, "point", view, &mut UpPaths::default());

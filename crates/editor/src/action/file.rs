@@ -24,7 +24,7 @@ pub(crate) enum FileAction {
     /// Write into this file, in the format of this name, whatever is lost.
     WriteAs(PathBuf, &'static str),
     Import,
-    /// Take over poses from this file, in which this axis stands upright.
+    /// Take over poses from this file, in which this axis is up.
     ImportUpright(PathBuf, Up),
     LoadSetup,
     Recent(usize),

@@ -17,7 +17,7 @@ pub(crate) enum TimeAction {
     PlayOrPause,
     /// An entry into the play bar's frame.
     Playhead(Entry),
-    /// So many frames a second; whatever happens keeps its second.
+    /// Sets the frame rate; keys keep their time in seconds.
     Rate(f64),
     SwitchLoops,
     SwitchOnlySelected,

@@ -385,7 +385,7 @@ impl FileWindow {
         };
     }
 
-    /// The list, and beside it a picture of the path chosen there.
+    /// The list, and a picture of the path chosen in it.
     fn show_list_and_picture(&mut self, editor: &Editor, ui: &mut Ui, done: &mut Done) {
         if !matches!(self.purpose, Purpose::LoadPath | Purpose::LoadBlock) {
             return self.show_list(editor, ui, done);

@@ -73,7 +73,7 @@ impl Editor {
     }
 
     /// Takes over a file of another program: a scene in place of the document, in one step; of
-    /// poses a path, by the tool that fits it. Asks which axis stands upright in poses whose file
+    /// poses a path, by the tool that fits it. Asks which axis is up in poses whose file
     /// does not say, unless `up` does.
     pub(super) fn import(&mut self, file: &Path, up: Option<Up>) -> Result<(), String> {
         let mut report = Report::default();

@@ -15,7 +15,7 @@ use crate::texts::fill;
 impl Editor {
     /// Reads meshes of the scene again whose files another program has written since they were last
     /// looked at; called when the window gets the keyboard. Of a file that is gone the
-    /// last mesh stays, and so it does of one that will not do; both are told.
+    /// last mesh stays, as it does if the new one is not usable; a message reports both.
     pub(crate) fn look_after_meshes(&mut self) {
         let known = std::mem::take(&mut self.scene_view.mesh_files.0);
         let mut looked = HashMap::new();

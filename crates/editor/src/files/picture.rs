@@ -75,7 +75,7 @@ impl Picture {
         !self.curve.is_empty()
     }
 
-    /// Paints it as large as it fits into a rectangle; a camera is so far on its way.
+    /// Paints it as large as fits into a rectangle, with a camera at a fraction of the path.
     pub(crate) fn paint(&self, editor: &Editor, ui: &Ui, rect: Rect, way: Option<f32>) {
         let colours = editor.setup.colours();
         let painter = ui.painter_at(rect);
@@ -136,7 +136,7 @@ impl<K: Clone + PartialEq + Send + 'static> Pictures<K> {
     }
 }
 
-/// Shows it, or a question mark where there is none.
+/// Shows it, or a question mark.
 pub(super) fn show(editor: &Editor, ui: &mut Ui, size: Vec2, picture: Option<&Picture>) {
     let texts = &editor.texts().recovery;
     let (rect, response) = ui.allocate_exact_size(size, Sense::hover());

@@ -48,7 +48,7 @@ impl Question {
         Self { about, fresh: true }
     }
 
-    /// Which axis stands upright in a file that does not say.
+    /// Which axis is up in a file that does not say.
     pub(crate) fn upright(file: &Path) -> Self {
         let about = About::Upright(file.to_owned());
         Self { about, fresh: true }

@@ -2,10 +2,10 @@
 //! second of it.
 //!
 //! One file per window, in the state folder: a `.vid` file that begins with comments on its origin.
-//! It is written beside and renamed, so that it is wholly the old or wholly the new one, but not
+//! It is written to a temporary file and renamed, so that replacing it is atomic, but it is not
 //! synced each time: the death of a process, unlike a power cut, loses nothing that was written. It
-//! is locked as long as its process lives; a file that can be locked is nobody's any more, and is
-//! offered to the next window. A new one is locked before it takes its name, so that no other
+//! is locked as long as its process lives; a file that can be locked has no process any more, and
+//! is offered to the next window. A new one is locked before it takes its name, so that no other
 //! process ever finds it free.
 //!
 //! No egui here; [`super::autosave`] joins it to the window.
@@ -170,7 +170,7 @@ impl Autosave {
         written
     }
 
-    /// Removes the file: the work is saved, or nobody wants it.
+    /// Removes the file: the work is saved or discarded.
     pub(crate) fn forget(&mut self) {
         if self.held.take().is_some() {
             // If it cannot be removed it is offered at the next start: better than lost.
@@ -219,7 +219,7 @@ fn is_still(file: &File, path: &Path) -> bool {
     }
 }
 
-/// What stands before the path: comments, so that the whole is a `.vid` file.
+/// The header: comments, so that the file is a `.vid` file.
 fn header(origin: &Origin<'_>) -> String {
     let written = SystemTime::now().duration_since(UNIX_EPOCH);
     let written = written.map_or(0, |since| since.as_secs());
@@ -353,7 +353,7 @@ pub(crate) fn find(folder: &Path, program: Option<&str>) -> Vec<Found> {
     found
 }
 
-/// Takes one file, if nobody holds it.
+/// Locks and reads one file; `None` if a process has it.
 fn take(path: &Path) -> Option<Found> {
     let mut file = OpenOptions::new()
         .read(true)

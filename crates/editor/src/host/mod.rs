@@ -26,10 +26,10 @@ pub use first::{begin_at, check_view};
 pub use program::{Date, Program};
 pub use warning::{Warning, Warnings};
 
-/// The distance to the target of a view that was taken over, in half sizes.
+/// The distance to the target of a view taken over, in units of the space's `half_size`.
 const TARGET: f64 = 0.4;
 
-/// What a view may differ from another by to be the same, in half sizes, radians and shares of the
+/// How much equal views may differ, in units of `half_size`, radians and shares of the
 /// zoom: a hundred roundings of `float`.
 const SAME_VIEW: f64 = 1e-5;
 
@@ -64,7 +64,7 @@ impl Editor {
         self.host_pane.as_ref()
     }
 
-    /// The host is not told of the camera until that has changed.
+    /// The host receives no camera before it changes.
     #[must_use]
     pub fn keeps_host_view(&self) -> bool {
         self.host_view.keeps_view

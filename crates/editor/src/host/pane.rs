@@ -1,4 +1,4 @@
-//! The camera's picture where the host draws it, in a window of its own that covers ours: what is
+//! The camera's picture where the host draws it, in a separate window that covers ours: what is
 //! shown above it must be known, to be cut out there.
 
 use egui::{Context, Id, LayerId, Order};

@@ -9,7 +9,7 @@ pub struct Program {
     pub name: String,
     /// It offers the unsaved work of all programs, not only its own.
     pub offers_all: bool,
-    /// After a hand-over nothing is unsaved: the program has it.
+    /// Marks everything as saved after a hand-over.
     pub hand_over_saves: bool,
     /// Converts to local time; `None` where that is unknown.
     pub local_time: fn(SystemTime) -> Option<Date>,

@@ -1,4 +1,4 @@
-//! What was wrong with what a host gave, and could be mended.
+//! Faults in a host's options that VIDES corrected.
 
 use std::fmt;
 use std::sync::Arc;
@@ -29,7 +29,7 @@ pub enum Warning {
     /// The object cannot be shown.
     #[error("the object is not shown: {0}")]
     NotShown(EngineError),
-    /// The object cannot be read; only programs are told why.
+    /// The object cannot be read; only programs get the reason.
     #[error("the object is not shown: {0}")]
     NotRead(Text),
     /// What was wrong with a mesh of a scene.

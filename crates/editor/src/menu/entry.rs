@@ -13,7 +13,7 @@ pub(super) struct Entry {
     pub(super) action: Action,
     /// Picks it while the menu is open.
     pub(super) letter: Option<Key>,
-    /// Does so too if no entry of the menu has it.
+    /// Also acts when it is not in the menu.
     pub(super) other_letter: Option<Key>,
     pub(super) enabled: bool,
     /// A switch, and whether it is on.

@@ -240,7 +240,7 @@ fn output(editor: &Editor) -> Vec<Entry> {
     ]
 }
 
-/// The tools, the moves in a column of their own.
+/// The tools, with the moves in a separate column.
 fn tools(editor: &Editor) -> Vec<Entry> {
     let (language, texts) = (editor.language(), &editor.texts().tools);
     let mut beside = false;

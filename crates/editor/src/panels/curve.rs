@@ -47,7 +47,7 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     shape(editor, ui, true, actions);
 }
 
-/// The presets; beside them the tangents, the kinds of curve, and the window with all numbers.
+/// The presets, the tangents, the kinds of curve, and the window with all numbers.
 fn menu(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     let column = Layout::top_down_justified(Align::LEFT);
     ui.horizontal_top(|ui| {

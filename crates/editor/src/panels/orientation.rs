@@ -124,7 +124,7 @@ fn target(editor: &Editor, ui: &mut Ui, shown: &Shown, actions: &mut Vec<Action>
     three_numbers(editor, ui, words, vector, missing, edit, actions);
 }
 
-/// Which way is up: a choice, and the point if it is one; beside it, whether the turning is owned.
+/// Which way is up: a choice, and the point if it is one; also whether the turning is custom.
 fn up(editor: &Editor, ui: &mut Ui, shown: &Shown, actions: &mut Vec<Action>) {
     let texts = &editor.texts().orientation;
     let current = &shown.orientation.own.up;

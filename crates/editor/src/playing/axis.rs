@@ -6,7 +6,7 @@ use egui::Rangef;
 /// The least frames between the ends of the rail.
 const LEAST: f64 = 1.0;
 
-/// The share of what is to be seen that is free beside it.
+/// The margin on each side, as a share of what is shown.
 const ROOM: f64 = 0.05;
 
 /// How far beyond the rail something still shows, in points.
@@ -32,7 +32,7 @@ impl Seen {
         Self { first, last }
     }
 
-    /// As much of it as there is of so many frames from `begin` on; none: all of them are seen.
+    /// This range within `frames` frames from `begin` on; `None` if all of them are visible.
     fn within(self, begin: f64, frames: f64) -> Option<Self> {
         let span = (self.last - self.first).max(LEAST);
         if !(span < frames && self.first.is_finite()) {
@@ -140,7 +140,7 @@ impl Axis {
         self.seen.is_none()
     }
 
-    /// Whether what stands there is to be seen.
+    /// Whether this frame is visible.
     pub(super) fn sees(&self, x: f32) -> bool {
         self.rail.expand(BEYOND).contains(x)
     }
@@ -167,14 +167,14 @@ impl Axis {
         Seen { first, last }.within(self.begin, frames)
     }
 
-    /// With all between two frames in sight, and a little room beside them.
+    /// With all frames between two visible, and a small margin.
     pub(super) fn between(&self, first: f64, last: f64) -> Option<Seen> {
         let more = (ROOM * (last - first)).max(LEAST);
         let (first, last) = (first - more, last + more);
         Seen { first, last }.within(self.begin, f64::from(self.frames))
     }
 
-    /// With what was at `x` moved by so many points.
+    /// Moved by a number of points.
     pub(super) fn moved(&self, by: f32) -> Option<Seen> {
         let by = f64::from(by) * self.frames_per_point();
         let (first, last) = (self.first() - by, self.last() - by);
@@ -260,7 +260,7 @@ mod tests {
         }
     }
 
-    /// What is under the pointer stays there, but for the ends, and nothing is seen beyond them.
+    /// What is under the pointer stays there, within the ends of the film.
     #[test]
     fn a_part_is_zoomed_about_a_place_and_moved() {
         let mut axis = Axis::new(Rangef::new(100.0, 1100.0), (1.0, 1001.0), None);

@@ -47,7 +47,7 @@ impl Graph {
         &self.stretches
     }
 
-    /// Computes the speeds anew, on the frames of `keys`.
+    /// Recomputes the speeds on the frames of `keys`.
     pub(super) fn update(&mut self, document: &Document, keys: &[Mark]) -> Result<()> {
         self.clear();
         let path = document.path();

@@ -1,5 +1,5 @@
 //! What is dragged in the graph of tracks: numbers of keys, in time and in value; handles of their
-//! own tangents; a box that selects. As in the rows, it is done anew from where it began each time.
+//! own tangents; a box that selects. As in the rows, each motion starts from the original keys.
 
 use std::sync::Arc;
 
@@ -68,7 +68,7 @@ impl Side {
     }
 }
 
-/// What a key does with one tangent while the other is dragged, by how they lie.
+/// What a key does with one tangent while you drag the opposite one, by their directions.
 pub(super) fn joint_of(before: f64, after: f64) -> Joint {
     let alike = |a: f64, b: f64| (a - b).abs() <= 1e-9 * a.abs().max(b.abs());
     match () {

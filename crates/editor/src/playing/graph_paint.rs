@@ -1,5 +1,5 @@
 //! What the graph of tracks paints besides its curves: the scale, keys with their handles, what stands
-//! above them and beside them.
+//! above them and at their side.
 
 use egui::{
     Color32, Id, Painter, Pos2, Rect, Role, ScrollArea, Sense, Stroke, Ui, UiBuilder, WidgetInfo,
@@ -181,7 +181,7 @@ pub(super) fn switch(editor: &Editor, on: &mut bool, ui: &Ui, place: Rect) {
     }
 }
 
-/// The names of the rows alone, by which the curves beside them are chosen.
+/// The names of the rows, by which curves are chosen.
 pub(super) fn names(
     editor: &Editor,
     memory: &mut tracks::Memory,

@@ -1,5 +1,5 @@
 //! What becomes of keys of the scene: in time, and of their numbers. The whole motion is done from
-//! where it began, anew each time.
+//! the original keys each time.
 
 use vides_document::error::Result;
 use vides_document::{Document, Edit};

@@ -95,7 +95,7 @@ impl KeyDrag {
         })
     }
 
-    /// By how many frames it shall go.
+    /// By how many frames it moves.
     fn wanted(&self, editor: &Editor) -> f64 {
         let Some(number) = self.typed.number() else {
             return self.gone;

@@ -81,7 +81,7 @@ pub(super) fn make(editor: &Editor, response: &Response, axis: &Axis, actions: &
 
 impl Editor {
     /// Moves a marker in place of what the open step has done. Where it cannot go it stays where
-    /// it could last, and why is told.
+    /// it could last, and reports why.
     pub(crate) fn move_marker(&mut self, name: &str, to: f64) {
         let edited = self.document.edited_scene();
         let last = edited.and_then(|edited| edited.scene().marker(name));

@@ -105,7 +105,7 @@ impl Playing {
         self.marks.of(selection)
     }
 
-    /// The playhead has selected a key: it stands at it, or beside it.
+    /// The playhead has selected a key at its frame or next to it.
     pub(super) fn selected(&mut self, selection: Selection, at_it: bool) {
         self.selection = selection;
         if at_it {

@@ -19,7 +19,7 @@ impl Editor {
     }
 
     /// The scene's frame of the edited path's first one; without a path that of the scene, which is
-    /// not looked for in all nodes each time.
+    /// not searched in all nodes each time.
     fn start_of_path(&self) -> f64 {
         match self.document.edited_scene().map(|edited| edited.node()) {
             Some(None) => self.playing.marks.range.0,
@@ -113,7 +113,7 @@ impl Editor {
     }
 }
 
-/// Whole, where it is so but for rounding.
+/// Rounded, if it is whole except for rounding errors.
 fn nearly_whole(frame: f64) -> f64 {
     let whole = frame.round();
     if (frame - whole).abs() < HAIR {

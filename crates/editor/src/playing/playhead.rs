@@ -14,7 +14,7 @@ use crate::state::Editor;
 use crate::state::playing::{Between, Mark};
 use crate::texts::fill;
 
-/// Length of a view direction that no key gives, in half sizes of the space.
+/// Length of a view direction without a key, in units of the space's `half_size`.
 const DIRECTION: f64 = 0.4;
 
 /// What the panels show and change.
@@ -215,7 +215,7 @@ impl Editor {
         Some(fill(self.texts().position.outside, &[&first, &last]))
     }
 
-    /// Makes a key of what the panels show, within the open step or as one of its own.
+    /// Makes a key of what the panels show, within the open step or as a new step.
     pub(crate) fn add_here(&mut self) -> bool {
         let Some(shown) = self.shown() else {
             return false;

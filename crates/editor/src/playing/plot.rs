@@ -22,7 +22,7 @@ use crate::state::playing::plot::{Curve, Plot};
 use crate::texts::{Texts, fill};
 use crate::theme::{self, Palette};
 
-/// Most poses sampled; while something is held, [`VALUES`]. At most so many values are drawn: a
+/// Most poses sampled; while something is held, [`VALUES`], which also bounds the values drawn: a
 /// little more than there are columns.
 const POSES: usize = 20_000;
 const VALUES: usize = 1_000;
@@ -30,7 +30,7 @@ const VALUES: usize = 1_000;
 /// Height of the row with what is shown and its values.
 pub(super) const WORDS: f32 = 15.0;
 
-/// A limit beyond so many times the highest value is not shown: the curve would be flat.
+/// A limit beyond this multiple of the highest value is hidden: the curve would be flat.
 const FAR: f64 = 2.5;
 
 /// Least distance between two lines of the scale, in points.

@@ -1,4 +1,4 @@
-//! Keys are moved and copied in time. The sections beside a key get frames of their own, so that
+//! Keys are moved and copied in time. The sections around a key get fixed frames, so that
 //! all else stays where it is.
 
 use vides_document::error::Result;
@@ -55,7 +55,7 @@ fn fix(path: &mut CameraPath, at: Selection, frames: usize) -> Result<()> {
     Ok(())
 }
 
-/// Lets the camera rest there for so many frames more.
+/// Lets the camera rest there for more frames.
 fn rest(path: &mut CameraPath, at: Selection, frames: usize) {
     if let Some(begin) = view(path, at) {
         let frames = u32::try_from(frames).unwrap_or(u32::MAX);

@@ -56,7 +56,7 @@ pub(super) fn show(
     response.on_hover_text(tip);
 }
 
-/// What the keyboard means where the ruler has it.
+/// The ruler's widget for the keyboard focus.
 pub(super) fn id() -> egui::Id {
     egui::Id::unique("ruler of time")
 }
@@ -257,7 +257,7 @@ fn steps(editor: &Editor, painter: &Painter, axis: &Axis, rect: Rect) {
     }
 }
 
-/// Marks what the open check has found; in words what is under the pointer.
+/// Marks what the open check has found; describes what is under the pointer.
 fn findings(
     editor: &Editor,
     ui: &Ui,

@@ -22,7 +22,7 @@ enum Wanted {
     Paste(String),
 }
 
-/// Takes the clipboard's keys from whoever would have them next; beside the `rows` only what is put
+/// Handles the clipboard's keys before other widgets; beside the `rows` only what is put
 /// in, if it is keys.
 pub(super) fn take_keys(editor: &mut Editor, context: &Context, rows: bool) {
     if editor.document.edited_scene().is_none() {
@@ -69,7 +69,7 @@ pub(super) fn take_keys(editor: &mut Editor, context: &Context, rows: bool) {
 }
 
 impl Editor {
-    /// Copies the selected keys; false: there is none, or not enough memory, which is told.
+    /// Copies the selected keys; false with a message if none is selected or memory is short.
     fn copy_keys(&mut self, context: &Context) -> bool {
         let keys = self.selected_keys();
         if keys.is_empty() {
@@ -232,7 +232,7 @@ fn fits(of: &Node, track: &Track) -> bool {
     }
 }
 
-/// The same keys so many frames later.
+/// The same keys, later by a number of frames.
 fn moved(track: &Track, by: f64) -> Result<Track> {
     let frames = track.frames().iter().map(|frame| frame + by).collect();
     let (values, shape) = (track.values().to_vec(), track.shape().to_vec());

@@ -85,14 +85,14 @@ impl<'a> Shown<'a> {
         Some(self.place(of, dot.at.key, dot.part) + way)
     }
 
-    /// Points downwards for each to the right, of a number that changes by so much a frame.
+    /// The slope in points of a number that changes at this rate per frame.
     #[allow(clippy::cast_possible_truncation)]
     pub(crate) fn rise(&self, slope: f64) -> f32 {
         let rise = -slope * self.time.axis.frames_per_point() / self.fit.per_point;
         rise.clamp(-1e6, 1e6) as f32
     }
 
-    /// The same backwards, of a handle that is so far away from its key.
+    /// The inverse, of a handle at this offset from its key.
     pub(crate) fn slope(&self, way: egui::Vec2) -> f64 {
         let frames = f64::from(way.x) * self.time.axis.frames_per_point();
         -f64::from(way.y) * self.fit.per_point / frames

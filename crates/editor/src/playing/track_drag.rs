@@ -1,8 +1,8 @@
 //! What is dragged in the rows of tracks: keys in time, or copies of them; the end of a selection,
 //! which scales its time; the bar of a path; a box that selects.
 //!
-//! The whole motion is done from where it began, anew each time: keys that are passed over come
-//! back by themselves, and it is one step.
+//! Each motion starts from the original keys, so that keys that were passed over
+//! return, and it is one step.
 
 use egui::{CursorIcon, Key, Modifiers, Pos2, Rect, Response, Stroke, StrokeKind, Ui, pos2};
 use vides_document::Edit;
@@ -30,7 +30,7 @@ impl Way {
         }
     }
 
-    /// The frame to which what stood at `from` shall go: a whole one, or a tenth of one with Shift.
+    /// The frame to which `from` moves: a whole one, or a tenth of one with Shift.
     pub(super) fn go_on(
         &mut self,
         editor: &Editor,

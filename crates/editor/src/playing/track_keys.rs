@@ -10,7 +10,7 @@ use crate::playing::track_rows::id;
 use crate::state::Editor;
 use crate::state::scene_view::KeyAt;
 
-/// Takes the keys that are the timeline's before anybody else has them.
+/// Handles the timeline's keys before any other widget.
 pub(crate) fn take_keys(editor: &mut Editor, context: &Context) {
     if context.text_edit_focused() || editor.document.in_step() {
         return;

@@ -1,4 +1,4 @@
-//! The menu of a row of the timeline: how a track goes from key to key, and what comes before and
+//! The menu of a row of the timeline: a track's interpolation, and how it continues before and
 //! after its keys, or a node's path.
 
 use egui::{Button, Popup, PopupCloseBehavior, Response, RichText, Ui};
@@ -80,7 +80,7 @@ fn part(part: Part) -> Edit {
     Edit::Part(Box::new(part))
 }
 
-/// Does an edit, or tells why it cannot be.
+/// Applies an edit, or reports why it failed.
 fn push(editor: &Editor, edit: Result<Edit>, actions: &mut Vec<Action>) {
     actions.push(match edit {
         Ok(edit) => Action::Edits(vec![edit]),

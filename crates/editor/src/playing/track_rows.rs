@@ -55,7 +55,7 @@ pub(crate) enum Hit {
     Bar(usize),
 }
 
-/// The rows as they stand on the screen.
+/// The rows on the screen.
 pub(crate) struct Shown<'a> {
     pub(crate) rows: &'a [Row],
     pub(crate) time: Time,

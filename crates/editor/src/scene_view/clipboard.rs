@@ -14,7 +14,7 @@ use crate::texts::refusals::{of_edit, reason_of};
 const NAMED: usize = 3;
 
 impl Editor {
-    /// Copies the selected nodes with all that is in them; false: there are none, which is told.
+    /// Copies the selected nodes with their descendants; false with a message if none is selected.
     pub(crate) fn copy_nodes_out(&mut self, context: &Context) -> bool {
         let which = self.selected_nodes();
         if which.is_empty() {

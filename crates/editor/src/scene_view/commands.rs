@@ -1,5 +1,5 @@
 //! What is done to nodes of the scene by menu, list and keys: each command is one step, which
-//! selects what it has made. What is refused is told in the output field and changes nothing.
+//! selects what it has made. The output field shows why an edit is refused.
 
 use glam::{DAffine3, DVec3};
 use vides_document::Edit;
@@ -16,7 +16,7 @@ use crate::state::windows::ParentWindow;
 use crate::texts::fill;
 use crate::texts::refusals::of_edit;
 
-/// How far above the middle of the space a new light stands, in half sizes.
+/// Height of a new light above the middle of the space, in units of `half_size`.
 const HIGH: f64 = 0.75;
 
 /// The name of a path's camera as soon as there is a scene ([`Scene::of_path`]).
@@ -217,8 +217,8 @@ impl Editor {
         self.windows.parent = ParentWindow::of(self, nodes, parent, &moving);
     }
 
-    /// Those of some nodes that get another parent by themselves, and those of them that move; what
-    /// is in another one of them goes along with that.
+    /// Those of some nodes that get another parent directly, and those of them that move; what
+    /// is in another one of them moves with it.
     fn that_change(&self, which: &[usize], parent: Option<usize>) -> (Vec<usize>, Vec<usize>) {
         let Some(edited) = self.document.edited_scene() else {
             return Default::default();
@@ -272,7 +272,7 @@ fn high_in(space: Space) -> DVec3 {
     space.centre + space.up.world(DVec3::Y) * (HIGH * space.half_size)
 }
 
-/// This name if no node has it, else the first one with a number.
+/// This name if it is unused, otherwise the first unused one with a number.
 fn free_name(scene: Option<&Scene>, name: &str) -> String {
     let taken = |name: &String| match scene {
         Some(scene) => scene.find(name).is_some(),

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use vides_document::{Object, coarse, features, sharp_lines};
 use vides_engine::scene::Mesh;
 
-/// Meshes of more triangles have a coarser one beside them for while things move.
+/// Meshes of more triangles have a coarser copy that is drawn during motion.
 const MANY: usize = 30_000;
 
 /// Meshes of more triangles show by their faces alone what they are; lines on them would be noise.

@@ -1,6 +1,6 @@
 //! A channel of a node as rows: a diamond for its keys, its name, its numbers.
 //!
-//! Diamonds stand beside the numbers of the node's panels, and not in a panel of their own: what
+//! Diamonds are beside the numbers of the node's panels, not in a separate panel: what
 //! moves is seen where it is changed, and nothing stands twice.
 
 use egui::{Color32, Response, RichText, Role, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo, vec2};

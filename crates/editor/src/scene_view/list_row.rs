@@ -44,7 +44,7 @@ fn ground(ui: &Ui, rect: Rect, [current, selected]: [bool; 2], hovered: bool) {
     }
 }
 
-/// The colour of what stands beside a row's name, over its ground.
+/// The colour of a row's icons over its background.
 pub(super) fn sign_color(of: &Shown<'_>, ui: &Ui, node: usize, hovered: bool) -> Color32 {
     let palette = theme::palette(ui);
     if of.current == Some(node) {

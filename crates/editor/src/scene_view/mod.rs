@@ -129,7 +129,7 @@ impl Editor {
         Ok(slot.as_ref().map(look))
     }
 
-    /// The movement space of the scene, or of the path where there is none.
+    /// The movement space of the scene; without a scene, of the path.
     pub(super) fn shown_space(&self) -> Space {
         let edited = self.document.edited_scene();
         edited.map_or(self.document.path().space, |edited| edited.scene().space())

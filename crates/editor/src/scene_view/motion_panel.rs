@@ -156,7 +156,7 @@ fn start(editor: &Editor, ui: &mut Ui, of: Shown<'_>, actions: &mut Vec<Action>)
     }
 }
 
-/// What comes before the path and after it.
+/// How motion continues before and after the path.
 fn beyond(editor: &Editor, ui: &mut Ui, of: Shown<'_>, actions: &mut Vec<Action>) {
     let Some(follow) = of.node.path() else {
         return;

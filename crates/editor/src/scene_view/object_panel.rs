@@ -129,7 +129,7 @@ fn deformation(
     }
 }
 
-/// Lets a deformation act before or after the one beside it; the box that is shown goes along.
+/// Swaps a deformation with its neighbour; the box that is shown moves with it.
 fn swap(editor: &Editor, (node, from, to): (usize, usize, usize), actions: &mut Vec<Action>) {
     actions.push(edit(Part::MoveDeformation { node, from, to }));
     let shown = match editor.chosen_deformation() {
@@ -187,7 +187,7 @@ fn along_longest(of: Shown<'_>, kind: &str, parameters: &[f64]) -> Option<Deform
     Deformation::new(kind, &parameters).ok()
 }
 
-/// The menu of the kinds that there are; each begins with numbers that change nothing.
+/// The menu of the kinds; each begins with numbers that change nothing.
 fn add(editor: &Editor, ui: &mut Ui, of: Shown<'_>, at: usize, actions: &mut Vec<Action>) {
     let texts = &editor.texts().node;
     let size = vec2(ui.available_width(), theme::ROW);

@@ -18,7 +18,7 @@ const WIDTH: f32 = 190.0;
 /// Rows seen at once.
 const ROWS: f32 = 12.0;
 
-/// Shows the list in a window of its own, if there is a scene and the column of lists is folded.
+/// Shows the list in a separate window, if there is a scene and the column of lists is folded.
 pub(crate) fn show(editor: &Editor, context: &Context, viewport: Rect, actions: &mut Vec<Action>) {
     if editor.document.edited_scene().is_none() || editor.points_list.is_open(context) {
         return;

@@ -2,7 +2,7 @@
 //!
 //! The matrix of a node is T(position)·T(pivot)·R·S·T(−pivot): with a pivot that is d farther it is
 //! the same where its position is R·S·d − d farther. While rotation and scale rest that is one number
-//! for all frames, and keys of the position go along. Where these move by keys it is another one at
+//! for all frames, and keys of the position change with it. Where these move by keys it differs at
 //! each frame: the position gets a key a frame then, and one where another key lies.
 
 use glam::{DMat3, DQuat, DVec3};
@@ -19,7 +19,7 @@ use crate::texts::refusals::of_edit;
 const MOST: f64 = 100_000.0;
 
 impl Editor {
-    /// The edits that bring a node's pivot to this place in its coordinates; an error in words.
+    /// The edits that move a node's pivot to a position in its coordinates, or why they fail.
     pub(crate) fn pivot_edits(&self, node: usize, pivot: DVec3) -> Result<Vec<Edit>, String> {
         let told = |error| of_edit(self.language(), &error);
         let of = self.node_of_scene(node).map_err(told)?;

@@ -1,4 +1,4 @@
-//! The rows of the list: which nodes are seen in it, in which order, how deep. They are made anew
+//! The rows of the list: which nodes are seen in it, in which order, how deep. They are rebuilt
 //! only when nodes, what is folded or the filter have changed.
 
 use std::collections::HashSet;

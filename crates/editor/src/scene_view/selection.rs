@@ -111,7 +111,7 @@ impl Editor {
         self.selected_nodes().first().copied()
     }
 
-    /// The selected keys that there are.
+    /// The selected keys that exist.
     pub(crate) fn selected_keys(&self) -> Vec<KeyAt> {
         let Some(edited) = self.document.edited_scene() else {
             return Vec::new();

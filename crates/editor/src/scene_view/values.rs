@@ -49,7 +49,7 @@ impl Editor {
 
     /// Sets the numbers of a channel: in a key at the playhead, rounded to a whole frame, where it
     /// has a track, else at rest. Rotations are w, x, y, z, or yaw, pitch and roll in degrees. It is
-    /// a part of the open step, or one of its own; false: refused, and told why.
+    /// a part of the open step, or a new one; false with a message if refused.
     pub(crate) fn set_channel(&mut self, node: usize, channel: &Channel, value: &[f64]) -> bool {
         match self.value_part(node, channel, value) {
             Ok(part) => self.edit(Edit::Part(Box::new(part))),
@@ -69,7 +69,7 @@ impl Editor {
         }
     }
 
-    /// Sets keys for position, rotation and scale of the selected nodes where there are none, in
+    /// Sets missing keys for position, rotation and scale of the selected nodes, in
     /// one step.
     pub(crate) fn set_keys(&mut self) {
         let nodes = self.selected_nodes();

@@ -297,7 +297,7 @@ fn colour(text: &str) -> Option<Color32> {
 }
 
 impl Editor {
-    /// Reads the setup that a window begins with; it is no error if there is none.
+    /// Reads the setup that a window begins with; a missing file is no error.
     pub(crate) fn read_first_setup(&mut self) {
         let Some(file) = self.folders.setup_file() else {
             return;

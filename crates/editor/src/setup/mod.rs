@@ -17,7 +17,7 @@ use crate::texts::Language;
 use crate::theme::rgb;
 
 choices! {
-    /// Something in the movement window with a colour of its own that can be switched off.
+    /// Something in the movement window with a custom colour that can be switched off.
     #[derive(Hash)]
     pub(super) enum Element {
         #[default]
@@ -277,7 +277,7 @@ pub(super) struct Setup {
     pub(super) safe_frame: bool,
     /// The speeds of the whole path under the frames.
     pub(super) speed_graph: bool,
-    /// The sliders around the space, as it was chosen; `None`: as the host has them.
+    /// Whether to show sliders around the space; `None`: as the host does.
     pub(super) sliders: Option<bool>,
     /// The ruler counts frames, not seconds.
     pub(super) ruler_frames: bool,

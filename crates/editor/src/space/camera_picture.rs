@@ -16,7 +16,7 @@ use crate::space::cameras::Camera;
 use crate::state::Editor;
 use crate::state::space::solid::{Eye, Solid};
 
-/// Distance of the front plane, in half sizes of the movement space.
+/// Distance of the front plane, in units of the space's `half_size`.
 pub(super) const FRONT: f64 = 1e-3;
 
 /// Outlines the safe action and title areas (SMPTE ST 2046-1: 93 % and 90 % of each side).
@@ -35,7 +35,7 @@ pub(super) fn safe_frame(painter: &Painter, picture: Rect, colour: Color32) {
     }
 }
 
-/// The matrix into the canonical volume, in half sizes from the middle of the space, and how a
+/// The matrix into the canonical volume, from units of `half_size` around the middle, and how a
 /// camera sees the world in `picture`.
 pub(super) fn eye(
     editor: &Editor,

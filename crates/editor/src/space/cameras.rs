@@ -16,7 +16,7 @@ use super::scene::{Look, LookKey, THIN};
 use super::strokes::Strokes;
 use crate::setup::Element;
 
-/// Length of a camera's edges: in points, and at most in half sizes of the movement space.
+/// Length of a camera's edges: in points, and at most in units of the space's `half_size`.
 const CAMERA: [f64; 2] = [26.0, 0.16];
 
 /// Cameras nearer than this to the last one are left out, in points.

@@ -11,7 +11,7 @@ use super::tangents;
 use crate::state::Editor;
 use crate::state::space::{DragConstraint, Handle, Joint};
 
-/// Length of the VUP arrow, in half sizes of the movement space.
+/// Length of the VUP arrow, in units of the space's `half_size`.
 pub(super) const VUP_LENGTH: f64 = 0.25;
 
 impl Handle {
@@ -21,7 +21,7 @@ impl Handle {
     }
 }
 
-/// Snap steps for a half size of the space: five between two lines of the floor.
+/// Snap steps in a `half_size` of the space: five between two lines of the floor.
 pub(super) const SNAP: f64 = 5.0 * FLOOR_CELLS as f64 / 2.0;
 
 /// Snap step of a roll, in degrees.

@@ -11,11 +11,11 @@ const TURN: f64 = 0.3;
 /// The view comes no nearer to the vertical than this, in degrees.
 const POLE: f64 = 0.5;
 
-/// How far a notch of the wheel and a point of mouse motion walk, in half sizes.
+/// How far a notch of the wheel and a point of mouse motion walk, in units of `half_size`.
 pub(super) const NOTCH: f64 = 0.08;
 pub(super) const DRAG: f64 = 0.004;
 
-/// Walking speed of a held key, in half sizes per second.
+/// Walking speed of a held key, in units of `half_size` per second.
 pub(super) const WALK: f64 = 0.6;
 
 /// Looks around by a mouse motion in points.
@@ -40,7 +40,7 @@ pub(super) fn circled(camera: Camera, space: Space, [right, down]: [f64; 2]) -> 
     }
 }
 
-/// Walks to the right, up and ahead, in half sizes.
+/// Walks to the right, up and ahead, in units of `half_size`.
 pub(super) fn walked(camera: Camera, space: Space, [right, up, ahead]: [f64; 3]) -> Camera {
     let way = camera.view.cross(camera.up) * right + camera.up * up + camera.view * ahead;
     let far = DVec3::splat(FAR * space.half_size);
@@ -51,7 +51,7 @@ pub(super) fn walked(camera: Camera, space: Space, [right, up, ahead]: [f64; 3])
     }
 }
 
-/// Farthest flight from the middle along each axis, in half sizes.
+/// Farthest flight from the middle along each axis, in units of `half_size`.
 const FAR: f64 = 50.0;
 
 /// Distance of what it looks at: as far as the middle of the space.

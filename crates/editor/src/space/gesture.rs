@@ -59,7 +59,7 @@ impl Editor {
         }
     }
 
-    /// Changes nodes as a part of the open step; false: refused, and told why. What the step has done
+    /// Changes nodes in the open step; false with a message if refused. What the step has done
     /// before is taken back then.
     fn change_nodes(&mut self, change: NodeChange) -> bool {
         let done = match change {

@@ -1,4 +1,4 @@
-//! The axes in a corner of the space: clicked, one looks along them; beside them a menu with the
+//! The axes in a corner of the space: a click looks along one; a menu has the
 //! view's numbers.
 
 use egui::{
@@ -25,7 +25,7 @@ const ROOM: f32 = 12.0;
 const NEAR: f32 = 9.0;
 const FAR: f32 = 5.0;
 
-/// Place and size of the button beside it.
+/// Position and size of its menu button.
 const BUTTON: [Vec2; 2] = [vec2(94.0, -36.0), vec2(118.0, 24.0)];
 
 /// Turned and tilted so, one looks along an axis.
@@ -224,7 +224,7 @@ mod tests {
     use crate::tests::*;
     use vides_engine::path::{CameraPath, Space, Up};
 
-    /// From where an end is clicked, its axis points at the viewer, whichever stands upright.
+    /// After a click on an end, its axis points at the viewer, whichever axis is up.
     #[test]
     fn a_click_on_an_end_looks_along_its_axis() {
         for up in [Up::Y, Up::Z] {

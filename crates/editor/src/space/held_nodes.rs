@@ -3,7 +3,7 @@
 //! The axes are those of the parent of the first one, or its own. The numbers of each are computed
 //! from those that it had when it began, so that nothing adds up, and a node that stands alone gets
 //! no rounding of others' coordinates. Nothing is scaled along the parent's axes but places: that
-//! would need a shear, so what a node scales by itself lies along its own axes.
+//! would need a shear, so a single node is scaled along its own axes.
 
 use glam::{DAffine3, DMat3, DQuat, DVec2, DVec3};
 use vides_engine::math::euler::EulerAngles;
@@ -179,7 +179,7 @@ impl Held {
         Axis::ALL.into_iter().fold(Axis::Z, best)
     }
 
-    /// How far it goes along the axes of a basis for the pointer's way: along one of them, or in
+    /// How far it moves on the axes of a basis for the pointer's way: on one of them, or in
     /// the plane of two that is seen best.
     pub(super) fn followed(
         &self,

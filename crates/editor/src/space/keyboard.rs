@@ -17,7 +17,7 @@ use crate::state::selected::step_around;
 use crate::state::space::{Gesture, Grip, Handle, Held, NodeChange, PointerController};
 use crate::texts::fill;
 
-/// How far an arrow key moves, in half sizes of the space: without and with Shift.
+/// How far an arrow key moves, in units of `half_size`: without and with Shift.
 const STEPS: [f64; 2] = [0.01, 0.1];
 
 /// The keys that move something by a step; the first six can move the target.
@@ -232,7 +232,7 @@ fn nudge(
     Some(Edit::set(At::Point(at), "position", to))
 }
 
-/// A coordinate rounded to nine digits after the first one of the half size.
+/// A coordinate rounded to nine digits after the first one of `half_size`.
 #[allow(clippy::cast_possible_truncation)]
 fn rounded(value: f64, half_size: f64) -> f64 {
     let digits = 9 - half_size.log10().floor() as i32;

@@ -132,8 +132,8 @@ impl Taken {
         true
     }
 
-    /// Takes the cells of a name, unless one of them or beside them is taken by another than its own
-    /// number, at `pos`.
+    /// Takes the cells of a name, unless one of them or a neighbour is taken by something other
+    /// than its own number, at `pos`.
     fn take_beside(&mut self, pos: Pos2, name: Rect) -> bool {
         let own = self.cell(pos);
         let cells = |taken: &Self, room: Rect| {
@@ -237,7 +237,7 @@ impl<const N: usize> Label<N> {
     }
 }
 
-/// The name of a camera, beside it.
+/// The name of a camera, next to it.
 pub(super) fn name(
     painter: &Painter,
     look: &Look<'_>,

@@ -81,7 +81,7 @@ mod tests {
         }]
     }
 
-    /// A face towards a lamp is brighter than one beside it or in its back, by its intensity.
+    /// A face towards a lamp is brighter than one at its side or back, by its intensity.
     #[test]
     fn a_lamp_lights_what_faces_it() {
         let on = |lamps: &[Lamp], normal: DVec3| lit(lamps, DVec3::ZERO, normal, 0.5);

@@ -535,7 +535,7 @@ fn draw_cameras(editor: &Editor, painter: &Painter, look: &Look<'_>) {
 }
 
 /// Whether a letter was pressed that is meant here although another control has the focus: the
-/// pointer is over the movement window and nobody types.
+/// pointer is over the movement window and no text field has the focus.
 fn is_meant_by_letters(context: &Context, mine: &dyn Fn(Pos2) -> bool) -> bool {
     let (pointer, pressed) = context.input(|input| {
         let plain = !(input.modifiers.command || input.modifiers.ctrl || input.modifiers.alt);

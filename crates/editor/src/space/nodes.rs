@@ -130,7 +130,7 @@ pub(super) fn pivot(now: &Now, at: usize) -> DVec3 {
     now.into_path.transform_point3(place)
 }
 
-/// The pivots of the selected nodes that there are.
+/// The pivots of the selected nodes that exist.
 pub(super) fn selected_pivots(editor: &Editor) -> Vec<(usize, DVec3)> {
     let selected = editor.selected_nodes();
     let places = editor.with_scene(|now| {

@@ -39,7 +39,7 @@ impl PointerController {
         true
     }
 
-    /// Begins a transform of nodes, or says why there is none.
+    /// Begins a transform of nodes, or reports why it cannot.
     pub(super) fn begin_nodes(
         &mut self,
         editor: &Editor,

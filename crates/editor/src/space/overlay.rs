@@ -1,4 +1,4 @@
-//! What stands above the curve and is made anew in each pass: the current camera's arrows and
+//! What is drawn above the curve and rebuilt in each pass: the current camera's arrows and
 //! circle, the guides of a drag, numbers, the ring around what the pointer would drag.
 
 use std::f64::consts::{PI, TAU};
@@ -283,7 +283,7 @@ mod tests {
 
     use crate::setup::View;
 
-    /// An axis that was chosen is seen to be it: the others are not drawn.
+    /// Only a chosen axis is drawn.
     #[test]
     fn the_guide_along_an_axis_is_that_axis_alone() {
         let eye = Eye::new(&View::default());

@@ -1,4 +1,4 @@
-//! The parallel projection of the movement space, its vertical axis upright: rotation about it,
+//! The parallel projection of the movement space, its up axis vertical: rotation about it,
 //! then tilt, then size (thesis 6.2). In double precision and egui's points, so that what is
 //! dragged lies under the pointer however far the view is enlarged.
 
@@ -67,11 +67,11 @@ pub(crate) struct Projection {
     down: DVec3,
     /// Unit vector towards the viewer.
     toward: DVec3,
-    /// Points for a half size of the space across the line of sight.
+    /// Points for a `half_size` of the space across the line of sight.
     scale: f64,
 }
 
-/// Points for a half size of a space across the line of sight.
+/// Points for a `half_size` of a space across the line of sight.
 pub(super) fn scale(view: &View, viewport: Rect) -> f64 {
     let [width, height] = [viewport.width(), viewport.height()].map(|x| f64::from(x.max(1.0)));
     // The farthest that a corner gets from the middle, however turned.
@@ -170,7 +170,7 @@ impl Projection {
 
     /// The point seen at `image` in the plane through `point` across `fixed`, whose coordinate
     /// keeps every bit; none if the plane is seen edge-on. Solves the equations of the thesis
-    /// (6.2.1) as they stand, without the sines and cosines of the axes' images.
+    /// (6.2.1) verbatim, without the sines and cosines of the axes' images.
     pub(super) fn point_in_plane(&self, point: DVec3, fixed: Axis, image: DVec2) -> Option<DVec3> {
         if self.share_seen(fixed) < EDGE_ON {
             return None;

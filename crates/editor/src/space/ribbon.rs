@@ -19,7 +19,7 @@ use super::scene::{Look, LookKey, THIN};
 use super::strokes::Strokes;
 use crate::setup::Element;
 
-/// Width of the ribbon and length of its fringe, in half sizes of the movement space.
+/// Width of the ribbon and length of its fringe, in units of the space's `half_size`.
 const WIDTH: f64 = 0.07;
 const FRINGE: f64 = 0.11;
 

@@ -82,7 +82,8 @@ impl Look<'_> {
         self.shown.has(element).then(|| self.colours.of(element))
     }
 
-    /// Error bound of curves in space: a power of two half sizes, so that a small zoom keeps them.
+    /// Error bound of curves in space: `half_size` by a power of two, so that a small zoom keeps
+    /// them.
     fn tolerance(&self) -> f64 {
         let exact = TOLERANCE / (self.projection.scale() * self.pixels_per_point);
         exact.log2().floor().exp2() * self.projection.space().half_size
@@ -115,7 +116,7 @@ struct Chunk {
 #[derive(Debug, Default)]
 pub(crate) struct PathLines {
     seen: Option<LookKey>,
-    /// What does not move by itself: what lies behind all objects, and all else.
+    /// What does not move on its own: what is behind all objects, and all else.
     behind: Arc<Lines>,
     still: Arc<Lines>,
     object: Object,
@@ -355,7 +356,7 @@ fn stroke_curve(
     }
 }
 
-/// A small upright cross on whole pixels.
+/// A small + on whole pixels.
 fn cross(
     strokes: &mut Strokes<'_>,
     look: &Look<'_>,
@@ -411,7 +412,7 @@ pub(super) fn current(document: &Document, look: &Look<'_>) -> Result<Lines> {
     Ok(strokes.finish())
 }
 
-/// Cube and object: what lies behind the object, and the rest.
+/// Cube and object: the part behind the object, and the rest.
 fn still(object: &Object, look: &Look<'_>) -> [Lines; 2] {
     let [mut behind, mut strokes] = [(); 2].map(|()| Strokes::new(look.projection, look.viewport));
     if let Some(color) = look.of(Element::Cube) {

@@ -1,5 +1,5 @@
 //! Objects with faces, shaded: flat, by the scene's lights or one at the viewer, what is hidden left
-//! out. Made anew only where
+//! out. Rebuilt only where
 //! something else is seen; while the view moves, coarser.
 
 use std::sync::Arc;

@@ -19,7 +19,7 @@ pub(super) struct Strokes<'a> {
     low: DVec2,
     high: DVec2,
     out: Lines,
-    /// What lies behind these faces is dimmed.
+    /// Lines behind these faces are dimmed.
     sight: Option<&'a Sight>,
     /// How far into the pattern of dashes the last dashed piece went.
     phase: f64,
@@ -127,7 +127,7 @@ impl<'a> Strokes<'a> {
     }
 }
 
-/// The colour of what lies behind faces, still seen.
+/// The colour of lines behind faces.
 pub(super) fn dimmed(color: Color32, hidden: bool) -> Color32 {
     if hidden {
         color.gamma_multiply(0.4)

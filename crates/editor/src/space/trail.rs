@@ -26,7 +26,7 @@ const KEYS: usize = 2_000;
 /// Of more selected nodes there are no ways, and of pivots only dots.
 const NODES: usize = 32;
 
-/// Of more selected nodes no pivots are told apart.
+/// With more selected nodes, pivots are not distinguished.
 const SIGNS: usize = 1_000;
 
 /// Radius of a dot, half the side of a key's square, radius of a pivot's ring and length of its

@@ -118,7 +118,7 @@ impl Transform {
         }
     }
 
-    /// That of nodes; an error in words.
+    /// That of nodes, or a reason.
     pub(super) fn of_nodes(
         editor: &Editor,
         surface: &PointerContext<'_>,
@@ -396,7 +396,7 @@ impl Transform {
         }
     }
 
-    /// An axis in words.
+    /// The name of an axis.
     fn letter(&self, editor: &Editor, axis: Axis) -> String {
         match self.own {
             true => fill(editor.texts().space.own_axis, &[&axis.letter()]),

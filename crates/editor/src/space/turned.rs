@@ -1,4 +1,4 @@
-//! A node and what is in it by itself, turned in another way than it is: a small picture.
+//! A small picture of a node with its descendants, turned another way.
 
 use egui::{Rect, Stroke, Ui};
 use glam::{DMat3, DQuat, DVec3};

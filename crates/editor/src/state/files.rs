@@ -28,7 +28,7 @@ pub(crate) enum Purpose {
     SaveSetup,
     /// A path to be put into this one.
     LoadBlock,
-    /// Points to be saved as a path of their own.
+    /// Points to be saved as a separate path.
     SaveBlock,
     /// Another program's file: a scene, or poses to make a path of.
     Import,
@@ -107,7 +107,7 @@ pub(crate) enum About {
     Changed(Option<AfterSave>),
     /// Another program has written the file.
     Newer,
-    /// Which axis stands upright in this file of poses.
+    /// Which axis is up in this file of poses.
     Upright(PathBuf),
     /// The open file names these outside its folder.
     Outside(Vec<String>),

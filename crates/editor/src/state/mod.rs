@@ -69,12 +69,12 @@ pub struct HostView {
     pub captures: bool,
     /// The host draws what the camera sees.
     pub fills_pane: bool,
-    /// Its picture shows a view of its own at first: it is told of the camera at the playhead only
+    /// The host's picture shows its own view at first: it receives the camera at the playhead only
     /// when that has changed.
     pub keeps_view: bool,
 }
 
-/// Why the host is told of the camera at the playhead.
+/// Why the host receives the camera at the playhead.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reason {
     /// Another point, orientation or camera became current.
@@ -123,7 +123,7 @@ pub struct Editor {
     /// Poses are handed over after each change.
     pub(super) auto_hand_over: bool,
     pub(super) host_pane: Option<HostPane>,
-    /// How much of the space's room the camera's picture beside it takes.
+    /// The share of the space's width that the camera's picture takes.
     pub(super) camera_share: f32,
     /// What the file contained when it was last read or written here, if there was one.
     pub(super) known: Option<Fingerprint>,
@@ -151,7 +151,7 @@ pub struct Editor {
     pub(super) requests: Vec<Request>,
     /// How threads are started; none: all is done at once.
     pub(super) start: Option<Start>,
-    /// The desktop asks that nothing moves by itself.
+    /// The desktop asks for no animations.
     pub(super) still: bool,
     pub(super) setup: Setup,
     /// The view of the movement space with which a document is shown at first.
@@ -339,7 +339,7 @@ impl Editor {
         self.start = Some(start);
     }
 
-    /// Whether nothing is to move by itself, as some desktops ask.
+    /// Whether the desktop asks for no animations.
     pub const fn keep_still(&mut self, still: bool) {
         self.still = still;
     }
@@ -467,7 +467,7 @@ impl Editor {
         Some(with(self.document.selection(), self.orientation()?, change))
     }
 
-    /// The edit that changes what an orientation owns; an error in words, since that takes memory.
+    /// The edit that changes an orientation's custom values, or a reason, since that takes memory.
     pub(super) fn with_own(
         &self,
         at: Selection,

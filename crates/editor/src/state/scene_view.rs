@@ -104,7 +104,7 @@ pub(crate) struct SceneSelection {
     pub(crate) keys: Vec<KeyAt>,
     /// Their frames, and their nodes.
     pub(crate) frames: Vec<(f64, KnownNode)>,
-    /// [`vides_document::EditedScene::number`] of the scene in which it is so.
+    /// [`vides_document::EditedScene::number`] of the scene that it belongs to.
     pub(crate) made_of: u64,
 }
 

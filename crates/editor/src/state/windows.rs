@@ -55,7 +55,7 @@ pub(crate) struct CheckWindow {
     pub(crate) trouble: Option<String>,
     /// A check was asked for.
     pub(crate) asked: bool,
-    /// The revision at which one was mended, and how many there were before.
+    /// The revision at which one was fixed, and the number of findings before.
     pub(crate) mended: Option<u64>,
     pub(crate) before: Option<usize>,
     /// What the planner makes of a finding beside the window.
@@ -78,7 +78,7 @@ pub(crate) struct Compared {
     pub(crate) both: [Track; 2],
     /// The scene's first and last frame.
     pub(crate) range: (f64, f64),
-    /// Degrees between the two, from the first frame on, so many frames apart.
+    /// Degrees between the two, from the first frame on, at this spacing in frames.
     pub(crate) angles: Vec<f64>,
     pub(crate) every: f64,
     /// The largest, and its frame.
@@ -108,7 +108,7 @@ pub(crate) struct Dock {
 
 #[derive(Debug)]
 pub(crate) struct HelpWindow {
-    /// So far it is to be scrolled, in pages.
+    /// How far to scroll, in pages.
     pub(crate) pages: f32,
 }
 

@@ -17,7 +17,7 @@ texts! {
         old: "The path has changed since", "Die Bahn hat sich seither geändert";
         now: "Check now", "Jetzt prüfen";
         now_hint: "Check the path as it is now", "Die Bahn prüfen, wie sie jetzt ist";
-        large: "So long a film, or one with so large an object, is checked when you ask for it",
+        large: "Long films and large objects are checked only when you ask for it",
             "Ein so langer Film oder einer mit so großem Objekt wird auf Wunsch geprüft";
         frame: "Frame {0}", "Bild {0}";
         frames: "Frames {0}–{1}", "Bilder {0}–{1}";
@@ -46,15 +46,13 @@ texts! {
         limit_hint: "Look for this", "Danach suchen";
         inside: "The camera is inside the object all the time.",
             "Die Kamera ist die ganze Zeit im Objekt.";
-        moving: "The object “{0}” moves or changes: it was looked at as it stands where the path \
-                 begins.",
+        moving: "The object “{0}” moves or changes: it was checked as it is where the path begins.",
             "Das Objekt „{0}“ bewegt oder ändert sich: Geprüft wurde, wie es am Anfang der Bahn steht.";
-        all_moving: "The object “{0}” and {1} more move or change: they were looked at as they stand \
-                     where the path begins.",
+        all_moving: "The object “{0}” and {1} more move or change: they were checked as they are where \
+                     the path begins.",
             "Das Objekt „{0}“ und {1} weitere bewegen oder ändern sich: Geprüft wurde, wie sie am \
              Anfang der Bahn stehen.";
-        camera: "The camera’s path was looked at alone, without what its parent, its aim, its roll \
-                 and its keys add.",
+        camera: "The camera’s path was checked alone, without its parent, aim, roll and keys.",
             "Geprüft wurde die Bahn der Kamera allein, ohne was Träger, Blickziel, Rollen und \
              Schlüssel beitragen.";
     }

@@ -17,7 +17,7 @@ texts! {
         angles: "Euler angles", "Euler-Winkel";
         use_these: "Use these", "Diese nehmen";
         use_these_of: "Use these: {0}", "Diese nehmen: {0}";
-        use_hint: "The track's keys are these then. One step, which can be undone",
+        use_hint: "Give the track these keys. One step to undo",
             "Die Schlüssel der Spur sind dann diese. Ein Schritt, der sich zurücknehmen lässt";
         in_use: "The track is so already", "So ist die Spur schon";
         angle: "Angle between them: {0}°", "Winkel dazwischen: {0}°";

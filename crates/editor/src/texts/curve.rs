@@ -13,7 +13,7 @@ texts! {
         preset: "Preset {0}", "Standard {0}";
         for_this: "for this point", "für diesen Punkt";
         for_all: "for all {0}", "für alle {0}";
-        for_all_hint: "Preset {0} is used by other points, too: who is to have the new values?",
+        for_all_hint: "Other points use preset {0}, too. Apply to which points?",
             "Standard {0} gilt auch für andere Punkte: Für wen sind die neuen Werte?";
         own: "Own values", "Eigendef.";
         own_hint: "Values of this point alone", "Werte nur für diesen Punkt";
@@ -29,10 +29,10 @@ texts! {
         used_once: "Only this point", "Nur dieser Punkt";
 
         tension: "Tension", "Tension";
-        tension_hint: "Tension: above 0 the curve runs tighter, below 0 rounder",
+        tension_hint: "Tension: above 0 the curve is tighter, below 0 rounder",
             "Tension: über 0 verläuft die Kurve straffer, unter 0 runder";
         continuity: "Continuity", "Continuity";
-        continuity_hint: "Continuity: other than 0 the curve has a corner in the point",
+        continuity_hint: "Continuity: the curve has a corner at the point, except at 0",
             "Continuity: abweichend von 0 hat die Kurve im Punkt eine Ecke";
         bias: "Bias", "Bias";
         bias_hint: "Bias: above 0 the curve turns after the point (overshoot), below 0 before it",

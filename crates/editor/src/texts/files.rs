@@ -23,7 +23,7 @@ texts! {
         folder: "Directory", "Verzeichnis";
         folder_hint: "Type a directory and press Enter", "Ein Verzeichnis eintippen und Enter drücken";
         up: "Up", "Hoch";
-        up_hint: "Go to the directory above (Alt and arrow up)",
+        up_hint: "Go to the parent folder (Alt+Up)",
             "Zum übergeordneten Verzeichnis (Alt und Pfeil auf)";
         home: "Home", "Persönlich";
         home_hint: "Go to your own directory", "Zum persönlichen Verzeichnis";
@@ -37,11 +37,11 @@ texts! {
         format: "Format", "Format";
         format_hint: "How it is written; the name's ending follows", "Wie geschrieben wird; die Endung des Namens folgt";
         hidden: "Hidden files", "Versteckte Dateien";
-        hidden_hint: "Show files, too, whose names begin with a full stop",
+        hidden_hint: "Also show files whose names begin with a full stop",
             "Auch Dateien zeigen, deren Namen mit einem Punkt beginnen";
         load: "Load", "Laden";
         take_hint: "Take the file of this name (Enter)", "Die Datei dieses Namens nehmen (Enter)";
-        overwrite_hint: "Put the new file in the place of the old one",
+        overwrite_hint: "Replace the old file with the new one",
             "Die neue Datei an die Stelle der alten setzen";
         cancel_hint: "Go back without doing anything (Esc)", "Zurück, ohne etwas zu tun (Esc)";
         save: "Save", "Speichern";

@@ -42,7 +42,7 @@ texts! {
         open_menu: "Open the menu {0}", "Menü {0} öffnen";
         first_menu: "Open the first menu", "Das erste Menü öffnen";
         arrows: "Arrow keys, Enter", "Pfeiltasten, Enter";
-        arrows_meaning: "Walk through the menus, pick an entry",
+        arrows_meaning: "Move through the menus, choose an entry",
             "Durch die Menüs gehen, Eintrag wählen";
         letter: "Underlined letter", "Unterstrichener Buchstabe";
         letter_meaning: "Pick that entry of the open menu", "Diesen Eintrag des offenen Menüs wählen";
@@ -60,16 +60,16 @@ texts! {
         rename: "Double click", "Doppelklick";
         rename_meaning: "Rename the node", "Den Knoten umbenennen";
         put_into: "Drag onto another row", "Auf eine andere Zeile ziehen";
-        put_into_meaning: "Put the selected nodes into that one",
+        put_into_meaning: "Make the selected nodes children of that one",
             "Die gewählten Knoten in jenen tun";
-        remove_meaning: "Remove the selected nodes with all that is in them",
+        remove_meaning: "Remove the selected nodes with their children",
             "Die gewählten Knoten löschen, mit allem, was darin liegt";
         copy_meaning: "Copy them with all that is in them", "Sie kopieren, mit allem, was darin liegt";
         clipboard_meaning: "Copy, cut and paste them, from window to window too",
             "Sie kopieren, ausschneiden, einfügen, auch von Fenster zu Fenster";
         all_meaning: "Select all nodes", "Alle Knoten wählen";
         tree: "Arrow keys", "Pfeiltasten";
-        tree_meaning: "Go through the tree, fold and unfold", "Durch den Baum gehen, zu- und aufklappen";
+        tree_meaning: "Move in the tree, fold and unfold", "Durch den Baum gehen, zu- und aufklappen";
 
         fields: "Numbers", "Zahlen";
         drag: "Drag", "Ziehen";

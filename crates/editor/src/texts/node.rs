@@ -14,7 +14,7 @@ texts! {
         parent: "In: {0}", "In: {0}";
         parent_name: "Parent", "Überordnung";
         no_parent: "the scene", "Szene";
-        parent_hint: "The node that it is in and goes along with. One at rest keeps its place in the world; of one that moves it is asked",
+        parent_hint: "The node it moves with. A node at rest keeps its place in the world; for a moving one you choose",
             "Der Knoten, in dem er ist und mit dem er mitgeht. Wer ruht, bleibt an seinem Ort in der Welt; bewegt er sich, wird gefragt";
         aim: "Aims at: {0}", "Zielt auf: {0}";
         aim_name: "Aim", "Ziel";
@@ -94,17 +94,17 @@ texts! {
 
         shapes: "Shapes", "Formen";
         add_shape: "+ Shape …", "+ Form …";
-        add_shape_hint: "Another shape of its points, from a mesh file with as many; it begins with weight 0",
+        add_shape_hint: "Add a shape from a mesh file with the same number of points; its weight begins at 0",
             "Eine andere Form seiner Punkte, aus einer Netzdatei mit gleich vielen; sie beginnt mit Gewicht 0";
         weight: "Weight of {0}", "Gewicht von {0}";
         weights: "Weights of the shapes", "Gewichte der Formen";
-        weight_hint: "How much of this shape there is; the mesh takes what is left to 1",
+        weight_hint: "The weight of this shape; the mesh itself gets the remainder to 1",
             "Wie viel von dieser Form; das Netz nimmt, was bis 1 fehlt";
         remove_shape: "Remove the shape {0}", "Form {0} löschen";
 
         deformations: "Deformations", "Verformungen";
         add_deformation: "+ Deformation", "+ Verformung";
-        add_deformation_hint: "Deforms the object, after those that are there, within the box of its mesh",
+        add_deformation_hint: "Deform the object, after its other deformations, within the box of its mesh",
             "Verformt das Objekt, nach den vorhandenen, im Quader um das Netz";
         choose_box_hint: "Show its box in the space, and its numbers here",
             "Den Quader im Raum zeigen, und hier die Zahlen";
@@ -140,12 +140,12 @@ texts! {
 
         motion: "Motion", "Bewegung";
         none: "None", "Keine";
-        none_hint: "It rests; of keys the last ones stay", "Er ruht; von Schlüsseln bleiben die letzten";
+        none_hint: "It rests, with the values of its last keys", "Er ruht; von Schlüsseln bleiben die letzten";
         by_keys: "Keys", "Schlüssel";
         by_keys_hint: "Its values change by keys; of a path it has one a frame",
             "Seine Werte ändern sich durch Schlüssel; aus einer Bahn einer je Bild";
         by_path: "Path", "Bahn";
-        by_path_hint: "It follows a path of its own", "Er folgt einer eigenen Bahn";
+        by_path_hint: "It follows its own path", "Er folgt einer eigenen Bahn";
         start: "Begins at frame", "Beginnt bei Bild";
         start_hint: "The scene's frame of the path's first pose",
             "Das Bild der Szene, in dem die Bahn beginnt";
@@ -158,28 +158,28 @@ texts! {
         repeat: "starts over", "von vorn";
         pingpong: "back and forth", "hin und her";
         path_to_keys: "A key a frame", "Einer je Bild";
-        path_to_keys_hint: "A key a frame takes the place of the path: it moves the same. One step, which can be undone",
+        path_to_keys_hint: "Replace the path with a key per frame: it moves the same. One step to undo",
             "Ein Schlüssel je Bild tritt an die Stelle der Bahn: Er bewegt sich gleich. Ein Schritt, der sich zurücknehmen lässt";
         few_keys: "Few keys", "Wenige";
-        few_keys_hint: "As few keys with tangents as stay so near the path at each frame take its place. One step, which can be undone",
+        few_keys_hint: "Replace the path with as few keys with tangents as stay this near at each frame. One step to undo",
             "So wenige Schlüssel mit Tangenten, wie bei jedem Bild so nah an der Bahn bleiben, treten an ihre Stelle. Ein Schritt, der sich zurücknehmen lässt";
         became_few_keys: "{0} keys: at most {1} and {2}° beside the path",
             "{0} Schlüssel: höchstens {1} und {2}° neben der Bahn";
         nearness: "Nearness", "Nähe";
-        nearness_hint: "How near the path comes to the keys, or few keys to the path",
+        nearness_hint: "How far the path may be from the keys, or few keys from the path",
             "Wie nah die Bahn den Schlüsseln kommt, oder wenige Schlüssel der Bahn";
         nearness_angle: "Nearness of the view", "Nähe des Blicks";
-        nearness_angle_hint: "The same, by how much it may be turned", "Dasselbe: um wie viel er gedreht sein darf";
+        nearness_angle_hint: "How many degrees the orientation may differ", "Dasselbe: um wie viel er gedreht sein darf";
         keys_to_path: "Keys to path", "Schlüssel zu Bahn";
         became_keys: "Keys in place of the path", "Schlüssel anstelle der Bahn";
         rests: "It rests", "Er ruht";
 
         key_of: "Key: {0}", "Schlüssel: {0}";
-        key_no_track: "It does not move: set a first key here",
+        key_no_track: "No keys yet: set the first one here",
             "Es bewegt sich nicht: hier einen ersten Schlüssel setzen";
-        key_not_here: "No key in this frame: set one with the value that is there",
+        key_not_here: "No key at this frame: set one with the current value",
             "In diesem Bild kein Schlüssel: einen mit dem Wert setzen, der da ist";
-        key_here: "A key in this frame: remove it; the value of the last one stays",
+        key_here: "A key at this frame: remove it; the last key's value stays",
             "In diesem Bild ein Schlüssel: ihn löschen; der Wert des letzten bleibt";
         by_its_path: "Its path moves this", "Das bewegt seine Bahn";
         more_than_half: "Keys of quaternions go the shorter way: for more than half a turn choose Angles in the menu of the track (right button)",
@@ -189,7 +189,7 @@ texts! {
         set_keys: "Keys for position, rotation and scale of the selected nodes",
             "Schlüssel für Ort, Drehung und Größe der gewählten Knoten";
         keys_set: "Keys for position, rotation and scale", "Schlüssel für Ort, Drehung und Größe";
-        keys_are_there: "There are keys for position, rotation and scale in this frame",
+        keys_are_there: "Position, rotation and scale have keys at this frame",
             "In diesem Bild gibt es Schlüssel für Ort, Drehung und Größe";
     }
 }

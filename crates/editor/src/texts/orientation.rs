@@ -14,19 +14,19 @@ texts! {
         remove: "− View", "− Blick";
         remove_hint: "Remove this view (Ori.-)", "Diesen Blick löschen (Ori.-)";
         absolute: "Target", "Ziel";
-        absolute_hint: "The camera looks at a place that stays when the point is moved (Abs.)",
+        absolute_hint: "The camera looks at a place that stays when the point moves (Abs.)",
             "Die Kamera blickt auf einen Ort, der beim Verschieben des Punktes bleibt (Abs.)";
         relative: "Direction", "Richtung";
-        relative_hint: "The camera keeps its direction when the point is moved (Rel.)",
+        relative_hint: "The camera keeps its direction when the point moves (Rel.)",
             "Die Kamera behält ihre Richtung, wenn der Punkt verschoben wird (Rel.)";
         ahead: "Along path", "Voraus";
-        ahead_hint: "The camera looks along its way, upright",
+        ahead_hint: "The camera looks along the path",
             "Die Kamera blickt aufrecht ihren Weg entlang";
         whole: "Whole object", "Ganzes Objekt";
         whole_hint: "Look at the middle of the object and zoom so that all of it is in the picture, with a tenth free at each side",
             "Auf die Mitte des Objekts blicken und so zoomen, dass es ganz im Bild ist und auf jeder Seite ein Zehntel frei bleibt";
         distance: "Ahead", "Voraus";
-        distance_hint: "It looks at the place so far ahead on its way; 0: along the tangent",
+        distance_hint: "How far ahead on the path it looks; 0: along the tangent",
             "Sie blickt auf den Ort so weit voraus auf ihrem Weg; 0: die Tangente entlang";
         previous_hint: "Go to the previous view of this point (<< Ori)",
             "Zum vorigen Blick dieses Punktes (<< Ori)";
@@ -46,30 +46,30 @@ texts! {
         up_hint: "Which way is up for the camera before the roll",
             "Wo für die Kamera oben ist, vor dem Winkel";
         up_axis: "vertical", "senkrecht";
-        up_axis_hint: "Along the upright axis of the space", "Längs der senkrechten Achse des Raums";
+        up_axis_hint: "Along the up axis of the space", "Längs der senkrechten Achse des Raums";
         up_place: "a point", "ein Punkt";
         up_place_hint: "Towards a point of the space", "Zu einem Punkt des Raums hin";
         up_path: "a path", "eine Bahn";
         up_path_hint: "Towards the place at the same share of the length of the second path",
             "Zum Ort auf der zweiten Bahn beim selben Anteil der Länge hin";
         up_minimal: "minimal", "minimal";
-        up_minimal_hint: "Carried along from key to key, without turning about the view",
+        up_minimal_hint: "Transported from key to key, without turning about the view",
             "Von Stelle zu Stelle mitgenommen, ohne Drehung um den Blick";
         up_frenet: "curvature", "Krümmung";
         up_frenet_hint: "Towards where the curve bends (Frenet); only where the curve is a cubic spline",
             "Dorthin, wohin sich die Kurve krümmt (Frenet); nur bei kubischem Spline";
         up_y: "y axis", "y-Achse";
         up_z: "z axis", "z-Achse";
-        up_fixed_hint: "Along this axis of the world, whatever is upright in the space",
+        up_fixed_hint: "Along this axis of the world, whatever the space's up axis",
             "Längs dieser Achse der Welt, was auch im Raum senkrecht steht";
         up_at: "Up towards {0}", "Oben zu {0}";
         up_at_hint: "The point that is up for the camera: drag, or click and type",
             "Der Punkt, der für die Kamera oben ist: ziehen, oder klicken und tippen";
         own_turning: "Own turning ×", "Eigene Drehung ×";
-        own_turning_hint: "The camera turns here at a rate of its own, as an insertion leaves it: give that back, and the views around shape the turning again",
+        own_turning_hint: "An insertion set a custom turning rate here. Click: remove it, so that the neighbouring views shape the turning again",
             "Die Kamera dreht sich hier in eigenem Maß, wie ein Einfügen es hinterlässt: das zurückgeben, und die Blicke ringsum formen die Drehung wieder";
         own_slope: "Own slope ×", "Steigung ×";
-        own_slope_hint: "The zoom changes here at a rate of its own: give that back, and the views around shape the zoom again",
+        own_slope_hint: "The zoom has a custom rate here. Click: remove it, so that the neighbouring views shape the zoom again",
             "Der Zoom ändert sich hier in eigenem Maß: das zurückgeben, und die Blicke ringsum formen den Zoom wieder";
 
         at_most: "A point has at most {0} views",

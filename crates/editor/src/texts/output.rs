@@ -27,11 +27,11 @@ texts! {
         not_pasted: "The copied points cannot be pasted: {0}",
             "Die kopierten Punkte lassen sich nicht einfügen: {0}";
         nothing_to_undo: "There is nothing to undo", "Es gibt nichts rückgängig zu machen";
-        half_turn: "From {0} to {1} it is half a turn: the camera may go either way. A view in between decides",
+        half_turn: "From {0} to {1} the camera makes half a turn, in either direction. Add a view in between to choose",
             "Von {0} nach {1} ist es eine halbe Drehung: Beide Richtungen sind gleich weit. Ein Blick dazwischen entscheidet";
-        at_target: "Between {0} and {1} the camera comes to the place that it looks at: there it keeps its direction",
+        at_target: "Between {0} and {1} the camera reaches its target, where it keeps its direction",
             "Zwischen {0} und {1} kommt die Kamera an den Ort, auf den sie blickt: Dort behält sie ihre Richtung";
-        over_target: "Between {0} and {1} the camera comes to be straight above or below its target: its picture turns round there",
+        over_target: "Between {0} and {1} the camera is straight above or below its target, where its picture flips",
             "Zwischen {0} und {1} kommt die Kamera genau über oder unter ihr Ziel: Dort dreht sich ihr Bild";
         length_changed: "Now {1} instead of {0}", "Jetzt {1} statt {0}";
         cannot_keep: "{0} cannot be kept: {1}", "{0} lassen sich nicht halten: {1}";

@@ -27,7 +27,7 @@ texts! {
         coordinate: "Position {0}", "Position {0}";
         coordinate_hint: "Where the camera is: drag, or click and type",
             "Ort der Kamera: ziehen, oder klicken und tippen";
-        shape_hint: "At this point (b1, c1, t1): drag, or click and type; it has values of its own then",
+        shape_hint: "At this point (b1, c1, t1): drag, or click and type; the point then has custom values",
             "An diesem Punkt (b1, c1, t1): ziehen, oder klicken und tippen; er hat dann eigene Werte";
         next_shape_hint: "At the next point (b2, c2, t2)", "Am nächsten Punkt (b2, c2, t2)";
         add_here: "Add point here", "Punkt hier einfügen";
@@ -36,7 +36,7 @@ texts! {
             "Aus dem, was die Kamera in diesem Bild tut, einen Punkt oder einen Blick machen";
         is_a_key: "The camera is at a point in this frame: there is nothing to add",
             "In diesem Bild ist die Kamera an einem Punkt: Es gibt nichts einzufügen";
-        outside: "No point here: this path runs from frame {0} to {1}",
+        outside: "No point can be added here: this path runs from frame {0} to {1}",
             "Kein Punkt hier: Diese Bahn läuft von Bild {0} bis {1}";
         in_between: "In between: typing adds it", "Zwischenwerte: Tippen fügt ein";
         preset: "Preset {0}", "Standard {0}";
@@ -50,13 +50,13 @@ texts! {
 
         kind: "The whole path", "Die ganze Bahn";
         tcb: "By T, C and B", "Nach T, C und B";
-        tcb_hint: "By tension, continuity and bias at each point (Kochanek and Bartels)",
+        tcb_hint: "Tension, continuity and bias at each point (Kochanek and Bartels)",
             "Nach Tension, Continuity und Bias an jedem Punkt (Kochanek und Bartels)";
         centripetal: "Centripetal", "Zentripetal";
-        centripetal_hint: "By T, C and B as well, without loops or ways back where points stand close",
+        centripetal_hint: "T, C and B as well, without loops or reversals between close points",
             "Auch nach T, C und B, ohne Schleifen und Rückwege, wo Punkte dicht stehen";
         chordal: "Chordal", "Nach Sehnenlängen";
-        chordal_hint: "By T, C and B as well, rounder between points that are far apart",
+        chordal_hint: "T, C and B as well, rounder between distant points",
             "Auch nach T, C und B, runder zwischen weit entfernten Punkten";
         cubic: "Spline (C2)", "Spline (C2)";
         cubic_hint: "Cubic spline: its curvature does not jump at the points",
@@ -65,26 +65,26 @@ texts! {
         linear_hint: "Straight from point to point", "Geradlinig von Punkt zu Punkt";
         tangents: "Tangents", "Tangenten";
         own_tangents: "Own tangents", "Eigene Tangenten";
-        own_tangents_hint: "The point owns the tangents that it has: the curve stays, and their ends can be dragged",
+        own_tangents_hint: "Make the tangents custom: the curve stays, and you can drag their ends",
             "Dem Punkt gehören die Tangenten, die er hat: Die Kurve bleibt, und an ihren Enden lässt sich ziehen";
         by_shape: "Tangents of the curve", "Tangenten der Kurve";
-        by_shape_hint: "Take the own tangents away: the kind of curve gives them again, with T, C and B",
+        by_shape_hint: "Remove the custom tangents: the kind of curve determines them again, with T, C and B",
             "Die eigenen Tangenten wegnehmen: Die Art der Kurve gibt sie wieder vor, mit T, C und B";
         smooth: "Smooth", "Glatt";
         smooth_hint: "One tangent turns with the other and keeps its length",
             "Eine Tangente dreht sich mit der anderen und behält ihre Länge";
         mirrored: "Mirrored", "Gespiegelt";
-        mirrored_hint: "One tangent is as long as the other, too",
+        mirrored_hint: "Both tangents have the same length, too",
             "Eine Tangente ist auch so lang wie die andere";
         corner: "Corner", "Ecke";
-        corner_hint: "One tangent stays while the other is dragged (with Alt always)",
+        corner_hint: "Drag one tangent alone (always with Alt)",
             "Eine Tangente bleibt, während man an der anderen zieht (mit Alt immer)";
         keeps_motion: "Tangents keep the motion", "Tangenten halten die Bewegung";
-        keeps_motion_hint: "A point was inserted without changing the flight. These tangents are removed when this point or one beside it moves. Click: remove them now",
+        keeps_motion_hint: "A point was inserted without changing the flight. These tangents are removed when this point or a neighbour moves. Click: remove them now",
             "Ein Punkt wurde eingefügt, ohne den Flug zu ändern. Diese Tangenten entfallen, sobald sich dieser Punkt oder einer daneben bewegt. Klick: jetzt wegnehmen";
-        in_place_of_tangents: "This point has tangents of its own; what is chosen here takes their place",
+        in_place_of_tangents: "This point has custom tangents; a choice here replaces them",
             "Dieser Punkt hat eigene Tangenten; was hier gewählt wird, tritt an ihre Stelle";
-        no_shape_kind: "T, C and B shape curves of the kind TCB only",
+        no_shape_kind: "T, C and B apply to TCB curves only",
             "T, C und B formen nur Kurven der Art TCB";
 
         how_many: "How many points?", "Wie viele Punkte?";
@@ -102,11 +102,11 @@ texts! {
             "Ein Punkt darf nicht auf dem Ziel eines seiner Blicke liegen";
         too_far: "A coordinate must lie between {0} and {1}",
             "Eine Koordinate muss zwischen {0} und {1} liegen";
-        closed_has_no_ends: "A closed path has no ends to go on from",
+        closed_has_no_ends: "A closed path has no ends to extend",
             "Eine geschlossene Bahn hat keine Enden zum Weiterführen";
         no_room: "There is no room beyond this end of the path",
             "Hinter diesem Ende der Bahn ist kein Platz mehr";
-        no_direction: "The segment at this end has no length and so no direction to go on in",
+        no_direction: "The segment at this end has no length and therefore no direction",
             "Das Kurvenstück an diesem Ende hat keine Länge und damit keine Richtung";
     }
 }

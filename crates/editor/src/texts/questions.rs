@@ -9,12 +9,12 @@ texts! {
             "{0} hat Änderungen, die nicht gespeichert sind. Vor dem Schließen speichern?";
         before_load: "{0} has changes that are not saved. Save them before another path is opened?",
             "{0} hat Änderungen, die nicht gespeichert sind. Vor dem Öffnen einer anderen Bahn speichern?";
-        before_new: "{0} has changes that are not saved. Save them before an empty path takes its place?",
+        before_new: "{0} has changes that are not saved. Save them before it is replaced by an empty path?",
             "{0} hat Änderungen, die nicht gespeichert sind. Speichern, bevor eine leere Bahn an ihre Stelle tritt?";
-        before_restore: "{0} has changes that are not saved. Save them before the work that was found takes its place?",
+        before_restore: "{0} has changes that are not saved. Save them before it is replaced by the recovered work?",
             "{0} hat Änderungen, die nicht gespeichert sind. Speichern, bevor die gefundene Arbeit an ihre Stelle tritt?";
         changed: "The file has changed", "Die Datei hat sich geändert";
-        changed_since: "{0} has been changed by somebody else since it was read or saved here. To overwrite it loses those changes, to reload it loses yours.",
+        changed_since: "Another program has changed {0} since you opened or saved it. Overwriting loses those changes, reloading loses yours.",
             "{0} wurde von anderer Seite geändert, seit sie hier gelesen oder gespeichert wurde. Beim Überschreiben gehen jene Änderungen verloren, beim Neuladen die hiesigen.";
         newer: "{0} has been changed by another program. Read it again?",
             "{0} wurde von einem anderen Programm geändert. Neu lesen?";
@@ -37,12 +37,12 @@ texts! {
         discard_hint: "Go on; the changes are lost", "Fortfahren; die Änderungen gehen verloren";
         cancel_hint: "Stay here; nothing happens (Esc)", "Hier bleiben; es geschieht nichts (Esc)";
 
-        upright: "Upright axis", "Senkrechte Achse";
-        which_upright: "{0} does not say which axis stands upright. Which one is it?",
+        upright: "Up axis", "Senkrechte Achse";
+        which_upright: "{0} does not say which axis is up. Which one is it?",
             "{0} sagt nicht, welche Achse senkrecht steht. Welche ist es?";
-        y_up: "y upright", "y senkrecht";
+        y_up: "y up", "y senkrecht";
         y_up_hint: "As in OpenGL, glTF and Maya", "Wie in OpenGL, glTF und Maya";
-        z_up: "z upright", "z senkrecht";
+        z_up: "z up", "z senkrecht";
         z_up_hint: "As in Blender, ROS and maps", "Wie in Blender, ROS und Landkarten";
 
         outside: "Files from elsewhere", "Dateien von anderswo";
@@ -55,7 +55,7 @@ texts! {
         leave_outside_hint: "Go on without these meshes (Esc)", "Ohne diese Netze weitermachen (Esc)";
 
         losses: "What the file cannot hold", "Was die Datei nicht fasst";
-        lossy: "In {0} something is left out or taken otherwise:",
+        lossy: "{0} cannot hold everything:",
             "In {0} bleibt etwas weg oder wird anders übernommen:";
         write_hint: "Write it all the same", "Trotzdem schreiben";
     }

@@ -1,6 +1,6 @@
 //! Why something could not be done, in the window's language.
 //!
-//! The library's own sentences address programs, too. What the user can cause in the window has a sentence of its own here; the other errors are only translated.
+//! Sentences for errors that the user can cause in the window; all others are only translated.
 
 use std::io;
 

@@ -9,7 +9,7 @@ texts! {
         size_tip: "Size of the movement space (mouse wheel, + and −)",
             "Größe des Bewegungsraumes (Mausrad, + und −)";
         rotate: "Rotate", "Drehen";
-        rotate_tip: "Turns the movement space about its upright axis (drag in the empty space)",
+        rotate_tip: "Turns the movement space about its up axis (drag in the empty space)",
             "Dreht den Bewegungsraum um seine senkrechte Achse (im leeren Raum ziehen)";
         tilt: "Tilt", "Kippen";
         tilt_tip: "Tilts the movement space (drag in the empty space)",
@@ -27,14 +27,14 @@ texts! {
             "Ziehen: drehen · Umschalt: Raum verschieben · Strg: Punkte auswählen";
         nodes_hint: "Drag: turn · Shift: move the space · Ctrl: select · M, R, S: move, turn, scale the nodes · P: pivot",
             "Ziehen: drehen · Umschalt: Raum verschieben · Strg: auswählen · M, R, S: Knoten bewegen, drehen, skalieren · P: Drehpunkt";
-        draw_hint: "Drag: draw a line, as deep as the current point lies · right button: turn · middle: move the space",
+        draw_hint: "Drag: draw a line at the depth of the current point · right button: turn · middle: move the space",
             "Ziehen: Linie zeichnen, so tief, wie der aktuelle Punkt liegt · rechts: drehen · Mitte: Raum verschieben";
         several_hint: "{0} points selected: a change changes all · M, R, S: move, turn, scale · Esc: one",
             "{0} Punkte ausgewählt: Was geschieht, gilt für alle · M, R, S: bewegen, drehen, skalieren · Esc: einer";
         all_points: "Select all points", "Alle Punkte auswählen";
         click_mouse: "Shift or Ctrl, click on a point",
             "Umschalt oder Strg, Klick auf einen Punkt";
-        click_meaning: "Select it too, or no longer; what follows means all of them",
+        click_meaning: "Add it to the selection, or remove it; actions apply to all selected",
             "Auch auswählen oder nicht mehr; dann gilt alles für alle";
         box_mouse: "Ctrl, drag elsewhere",
             "Strg, daneben ziehen";
@@ -56,10 +56,10 @@ texts! {
         list_meaning: "Type the name of a point; dragging there: another order",
             "Name des Punkts tippen; Ziehen dort: andere Reihenfolge";
         axis_keys: "X, Y, Z, a number, Enter with these", "X, Y, Z, eine Zahl, Enter mit diesen";
-        axis_meaning: "Along an axis or about it, and by so much; a node's own axis: the letter twice",
+        axis_meaning: "Along or about an axis, by a number; for a node's own axis press the letter twice",
             "Längs einer Achse oder um sie, und um so viel; eigene Achse eines Knotens: Buchstabe zweimal";
         node_mouse: "Click on something of a scene", "Klick auf etwas aus einer Szene";
-        node_meaning: "Select it; again: what lies behind; Ctrl, Shift: several. Drag its pivot: move it",
+        node_meaning: "Select it; again: the one behind; Ctrl, Shift: several. Drag its pivot: move it",
             "Es auswählen; nochmal: was dahinter liegt; Strg, Umschalt: mehrere. Am Drehpunkt ziehen: bewegen";
         pivot_keys_name: "P", "P";
         pivot_meaning: "Move the pivot of the selected node, which stays", "Drehpunkt des gewählten Knotens bewegen, der bleibt";
@@ -104,11 +104,11 @@ texts! {
         before: "Tangent before the point", "Tangente vor dem Punkt";
         after: "Tangent behind the point", "Tangente hinter dem Punkt";
         tangent_mouse: "Drag the end of a tangent", "Am Ende einer Tangente ziehen";
-        tangent_meaning: "Bend the curve at a point with tangents of its own; Alt: on this side alone",
+        tangent_meaning: "Bend the curve at a point with custom tangents; Alt: on this side only",
             "Kurve an einem Punkt mit eigenen Tangenten biegen; Alt: nur auf dieser Seite";
         make_closed: "Close the path", "Bahn schließen";
         make_open: "Open the path", "Bahn öffnen";
-        scene_last_tip: "Where the scene ends: type a later end to have room for keys, or an earlier one",
+        scene_last_tip: "Where the scene ends: type a later end to make room for keys, or an earlier one",
             "Wo die Szene endet: ein späteres Ende tippen, um Platz für Schlüssel zu haben, oder ein früheres";
         play: "Play", "Abspielen";
         pause: "Pause", "Anhalten";
@@ -124,25 +124,25 @@ texts! {
             "Zu einem Zeitpunkt gehen: ziehen, oder klicken und tippen";
         of: "of", "von";
         last_frame: "Last frame", "Letztes Bild";
-        last_frame_tip: "Type how many frames the whole flight shall have: each section keeps its share", "Wie viele Bilder der ganze Flug haben soll: jeder Abschnitt behält seinen Anteil";
+        last_frame_tip: "Type the number of frames of the whole flight: each section keeps its share", "Wie viele Bilder der ganze Flug haben soll: jeder Abschnitt behält seinen Anteil";
         duration: "Duration", "Dauer";
-        duration_tip: "Type how long the whole flight shall take: each section keeps its share", "Wie lange der ganze Flug dauern soll: jeder Abschnitt behält seinen Anteil";
+        duration_tip: "Type the duration of the whole flight: each section keeps its share", "Wie lange der ganze Flug dauern soll: jeder Abschnitt behält seinen Anteil";
         keep_length: "Keep the duration", "Dauer halten";
-        keep_length_tip: "Whatever is changed, the whole flight takes as long as now: the frames of its sections adapt",
+        keep_length_tip: "Keep the duration of the whole flight: the frames of its sections adapt",
             "Was auch geändert wird, der ganze Flug dauert so lange wie jetzt: die Bilder der Abschnitte passen sich an";
         rate: "Frames per second", "Bilder je Sekunde";
-        rate_tip: "Frames shown in a second; whatever happens keeps its second",
+        rate_tip: "Frames per second; keys keep their time in seconds",
             "Bilder in einer Sekunde; was geschieht, behält seine Sekunde";
         rate_unit: " fps", " B./s";
         again: "Loop", "Endlos";
-        again_tip: "Begin anew at the end (L)", "Am Ende von vorn beginnen (L)";
+        again_tip: "Start over at the end (L)", "Am Ende von vorn beginnen (L)";
         only_selected: "Only what is selected", "Nur Ausgewähltes";
         only_selected_tip: "Play and loop only the frames in which the selected nodes move",
             "Nur die Bilder abspielen und wiederholen, in denen sich die gewählten Knoten bewegen";
         pace: "Playing speed", "Abspieltempo";
         pace_tip: "Half, whole or double speed", "Halbes, ganzes oder doppeltes Tempo";
         loop_keys: "L", "L";
-        loop_meaning: "Loop: begin anew at the end when playing", "Endlos: beim Abspielen am Ende von vorn beginnen";
+        loop_meaning: "Loop: start over at the end when playing", "Endlos: beim Abspielen am Ende von vorn beginnen";
         too_many_frames: "Too many frames", "Zu viele Bilder";
         speed_graph: "Pace", "Tempo";
         plot: "Graph", "Verlauf";
@@ -175,7 +175,7 @@ texts! {
         speed_graph_keys: "G", "G";
         speed_graph_meaning: "Pace: show or hide the speed all along the path", "Tempo: die Geschwindigkeit über die ganze Bahn zeigen oder verbergen";
         section_border: "End of section {0}", "Ende des Abschnitts {0}";
-        section_border_tip: "Drag: frames go from one section to the other; Shift: ten times finer; Ctrl: a copy of the key",
+        section_border_tip: "Drag: move frames from one section to the other; Shift: ten times finer; Ctrl: a copy of the key",
             "Ziehen: Bilder wechseln vom einen Abschnitt zum anderen; Umschalt: zehnmal feiner; Strg: eine Kopie des Schlüssels";
         camera_whole: "Camera only", "Nur Kamera";
         camera_whole_tip: "The camera's picture in place of the space, and back (Shift+C)",
@@ -199,7 +199,7 @@ texts! {
         fly_tip: "Drag: look around; right button: circle; middle button or Shift: shift; wheel, W A S D Q E: walk",
             "Ziehen: umsehen; rechts: umkreisen; Mitte oder Umschalt: verschieben; Rad, W A S D Q E: gehen";
         fly_mouse: "Drag in the large camera picture, W A S D Q E", "Im großen Kamerabild ziehen, W A S D Q E";
-        fly_meaning: "Look around, walk; then take over as a point", "Umsehen, gehen; dann als Punkt übernehmen";
+        fly_meaning: "Look around, walk; then add it as a point", "Umsehen, gehen; dann als Punkt übernehmen";
         fly_back: "Back", "Zurück";
         fly_back_tip: "To the camera of the path (Esc)", "Zur Kamera der Bahn (Esc)";
         camera_view: "Camera view", "Kamerabild";
@@ -248,14 +248,14 @@ texts! {
         escape_meaning: "Leave all as it was", "Alles lassen, wie es war";
         host_view: "program", "Programm";
         no_host_view: "{0}: there is no view to take over", "{0}: Es gibt keine Ansicht zu übernehmen";
-        host_view_refused: "{0}: the view cannot be taken over: {1}",
+        host_view_refused: "{0}: the view cannot be added: {1}",
             "{0}: Die Ansicht lässt sich nicht übernehmen: {1}";
         same_view: "Point {0} already has this view", "Punkt {0} hat diesen Blick schon";
         take_over: "Take over the view", "Ansicht übernehmen";
-        take_over_tip: "A new point behind this one, with the program's camera (Ctrl+Enter; with Shift: in place of this one)",
+        take_over_tip: "Add a point after this one, with the program's camera (Ctrl+Enter; with Shift: replace this one)",
             "Ein neuer Punkt hinter diesem, mit der Kamera des Programms (Strg+Enter; mit Umschalt: an Stelle von diesem)";
         take_over_here: "Take over the view here", "Ansicht hierher übernehmen";
-        take_over_here_tip: "The program's camera in place of this point and view",
+        take_over_here_tip: "Replace this point and view with the program's camera",
             "Die Kamera des Programms an Stelle von diesem Punkt und diesem Blick";
         begin_with: "Begin with: {0}", "Beginnen mit: {0}";
         begin_view: "From the view", "Aus der Ansicht";
@@ -263,7 +263,7 @@ texts! {
         begin_open_tip: "Open a path, a scene or an object from a file", "Eine Bahn, eine Szene oder ein Objekt aus einer Datei öffnen";
         one_outside: "1 point is outside: Around the path", "1 Punkt liegt außerhalb: Um die Bahn";
         some_outside: "{0} points are outside: Around the path", "{0} Punkte liegen außerhalb: Um die Bahn";
-        outside_tip: "A space that has all of the path in it; the path stays where it is",
+        outside_tip: "Make the space hold the whole path; the path stays where it is",
             "Ein Raum, in dem die ganze Bahn liegt; die Bahn bleibt, wo sie ist";
         view_menu: "Numbers of the view", "Zahlen der Ansicht";
         view_menu_tip: "Size, rotation and tilt of the space, from the front, from above, and the sliders",

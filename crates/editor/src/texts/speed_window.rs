@@ -6,35 +6,35 @@ texts! {
     SpeedWindow {
         title: "Speed curve", "Zeitkurve";
         section: "Section {0} – {1}", "Abschnitt {0} – {1}";
-        end_of_path: "{0} · end of path: no section begins here",
+        end_of_path: "{0} · end of the path: no section begins here",
             "{0} · Ende der Bahn: Hier beginnt kein Abschnitt";
         frames: "Frames", "Bilder";
-        frames_hint: "So many for this section, whatever its length; 0: by its length",
-            "So viele für diesen Abschnitt, wie lang er auch ist; 0: nach seiner Länge";
+        frames_hint: "The number of frames of this section; 0: by its length",
+            "Die Zahl der Bilder dieses Abschnitts; 0: nach seiner Länge";
         seconds: "{0} s", "{0} s";
         locked: "keep", "festhalten";
-        locked_hint: "Keeps its frames where the whole path gets another number of frames or seconds",
-            "Behält seine Bilder, wenn die ganze Bahn eine andere Zahl von Bildern oder Sekunden bekommt";
+        locked_hint: "Keeps its frames when the duration of the whole path changes",
+            "Behält seine Bilder, wenn sich die Dauer der ganzen Bahn ändert";
         nothing_changes: "Nothing changes: no frames", "Nichts ändert sich: keine Bilder";
         pace: "Pace", "Tempo";
         ten: "Ten speeds", "Zehn Werte";
         ten_hint: "Ten speeds from the start of the section to its end",
             "Zehn Geschwindigkeiten vom Anfang des Abschnitts bis zum Ende";
         sine: "Sine", "Sinus";
-        sine_hint: "Speeds up, cruises and slows down as a sine does; the section takes as long as before, as far as speed 100 will do",
-            "Fährt an, fährt gleichmäßig und bremst ab, wie ein Sinus verläuft; der Abschnitt dauert so lange wie bisher, soweit Geschwindigkeit 100 dafür reicht";
+        sine_hint: "Speeds up, cruises and slows down like a sine; the duration stays the same, within speed 100",
+            "Fährt an, fährt gleichmäßig und bremst ab wie ein Sinus; die Dauer bleibt gleich, bis Geschwindigkeit 100";
         parabolic: "Parabolic", "Parabel";
-        parabolic_hint: "Speeds up, cruises and slows down evenly, so that the way is a parabola; the section takes as long as before, as far as speed 100 will do",
+        parabolic_hint: "Speeds up, cruises and slows down evenly (a parabola); the duration stays the same, within speed 100",
             "Fährt an, fährt gleichmäßig und bremst ab, jeweils gleichförmig, sodass der Weg eine Parabel ist; der Abschnitt dauert so lange wie bisher, soweit Geschwindigkeit 100 dafür reicht";
         distance: "Distance", "Weg";
-        distance_hint: "The way over time is given by keys, which begin on the present one; the section gets its present number of frames",
-            "Der Weg über der Zeit ist durch Schlüssel vorgegeben, die auf dem jetzigen liegen; der Abschnitt bekommt seine jetzige Zahl von Bildern";
+        distance_hint: "Distance over time by keys, initially the present curve; the section gets its present number of frames",
+            "Weg über der Zeit durch Schlüssel, anfangs der jetzige; der Abschnitt bekommt seine jetzige Zahl von Bildern";
         graph: "Graph", "Verlauf";
         graph_speed: "Speed", "Geschwindigkeit";
         graph_speed_hint: "The speed over the time of this section; 50 is that of the base frames",
             "Die Geschwindigkeit über der Zeit dieses Abschnitts; 50 ist die der Grundbilder";
         graph_distance: "Distance", "Weg";
-        graph_distance_hint: "The way gone over the time of this section, in percent",
+        graph_distance_hint: "The distance covered over the time of this section, in percent",
             "Der zurückgelegte Weg über der Zeit dieses Abschnitts, in Prozent";
         graph_acceleration: "Acceleration", "Beschleunigung";
         graph_acceleration_hint: "By how much the speed changes in a second, over the time of this section",
@@ -83,7 +83,7 @@ texts! {
         ease_out_hint: "At the start as fast as the section before ends, then slow. Only where the path ends or the camera holds is it slow to the end: before another section it is at last as fast as that one begins. Without one before, or with fixed frames, it takes as long as before",
             "Am Anfang so schnell, wie der vorige Abschnitt endet, dann langsam. Nur wo die Bahn endet oder die Kamera hält, bleibt sie bis zuletzt langsam: Vor einem weiteren Abschnitt ist sie am Ende so schnell, wie dieser beginnt. Ohne einen vorigen oder mit festen Bildern dauert er so lange wie bisher";
         both: "Both", "Beides";
-        both_hint: "Slow at both ends; joins the sections beside it as the other two do, and takes as long as before",
+        both_hint: "Slow at both ends; joins the neighbouring sections as the other two do, and takes as long as before",
             "An beiden Enden langsam; schließt an die Nachbarn an wie die beiden anderen und dauert so lange wie bisher";
 
         copy: "Copy", "Kopieren";

@@ -143,7 +143,7 @@ impl Language {
         named.unwrap_or(Cow::Borrowed(plain))
     }
 
-    /// A tool's name as it stands within an English sentence.
+    /// A tool's name within an English sentence.
     fn tool_in_sentence(self, tool: &'static str) -> Cow<'static, str> {
         let name = self.tool(tool);
         let mut letters = name.chars();

@@ -14,7 +14,7 @@ texts! {
         key: "Time of {0}", "Zeitpunkt von {0}";
         key_at: "{0} · {1} s · frame {2}", "{0} · {1} s · Bild {2}";
         slow_past: "Slow down here", "Hier abbremsen";
-        slow_past_hint: "Slower up to here and faster from here on, without a jerk: a quarter of the speed beside it",
+        slow_past_hint: "Slower up to here and faster from here on, without a jerk: a quarter of the neighbouring speed",
             "Bis hierher langsamer und von hier an schneller, ohne Ruck: ein Viertel der Geschwindigkeit daneben";
         no_slow_past: "The camera begins, ends, rests or turns in one place here",
             "Hier beginnt, endet, ruht oder dreht sich die Kamera";
@@ -23,7 +23,7 @@ texts! {
             "Die Kamera steht hier still; wie lange, ist eine Zahl rechts";
         no_rest: "No rest here", "Hier nicht verweilen";
         no_rest_hint: "The camera goes on at once", "Die Kamera fährt sofort weiter";
-        key_tip: "Drag: the sections beside it get more frames and fewer · type a number: to that time; +, −: by so much · Shift: ten times finer · Ctrl: a copy · Esc: back · right button: slow down or rest here",
+        key_tip: "Drag: shift frames between the two sections around it · type a number: to that time; +, −: by that time · Shift: ten times finer · Ctrl: a copy · Esc: back · right button: slow down or rest here",
             "Ziehen: die Abschnitte daneben bekommen mehr Bilder und weniger · Zahl tippen: zu dieser Zeit; +, −: um so viel · Umschalt: zehnmal feiner · Strg: eine Kopie · Esc: zurück · rechte Taste: hier abbremsen oder verweilen";
         moved: "{0}: {1} s ({2} s) · frame {3}", "{0}: {1} s ({2} s) · Bild {3}";
         copy_of: "Copy of {0}", "Kopie von {0}";
@@ -89,14 +89,14 @@ texts! {
         graph_switch: "Keys as a graph", "Schlüssel als Verlauf";
         graph_tip: "The numbers of the keys over the frames, or rows of keys",
             "Die Zahlen der Schlüssel über den Bildern, oder Zeilen von Schlüsseln";
-        curve_tip: "Show this one; Ctrl: besides the others, or no longer",
+        curve_tip: "Show this one; Ctrl: add or remove it",
             "Diese zeigen; Strg: zu den anderen, oder nicht mehr";
         read_only: "Quaternions are shown as angles, which can only be read; Angles in the track's menu can be dragged",
             "Quaternionen stehen hier als Winkel, nur zum Lesen; ziehen lassen sich Winkel aus dem Menü der Spur";
         time_stays: "X: the time stays", "X: die Zeit bleibt";
         number_stays: "Y: the value stays", "Y: der Wert bleibt";
         tangent: "{0}: {1} a second", "{0}: {1} je Sekunde";
-        smooth_hint: "The other tangent goes along: no corner in the graph",
+        smooth_hint: "The opposite tangent follows: no corner in the graph",
             "Die andere Tangente geht mit: kein Knick im Verlauf";
         mirrored_hint: "The other tangent is its mirror image: back as it came",
             "Die andere Tangente ist ihr Spiegelbild: zurück, wie es kam";

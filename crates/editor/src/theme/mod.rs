@@ -2,8 +2,8 @@
 //!
 //! Distances are multiples of four points. A test holds all colours against the contrasts of WCAG
 //! 2: 4.5:1 for text on all that it may stand on (AA), 3:1 for what shows where a control is
-//! (1.4.11). A button is told by its text, so its ground may be calm. Nothing moves by itself, so
-//! that an idle window wakes nobody.
+//! (1.4.11). A button's text identifies it, so its background may be calm. Nothing is animated, so
+//! that an idle window uses no power.
 
 mod fonts;
 
@@ -36,7 +36,7 @@ pub(super) struct Palette {
     /// What is selected, the handle of the play bar, the curve of a picture.
     pub(super) accent: Color32,
     pub(super) on_accent: Color32,
-    /// An error in words.
+    /// The text of an error.
     pub(super) error: Color32,
     pub(super) focus: Color32,
 }

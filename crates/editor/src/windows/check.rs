@@ -22,7 +22,7 @@ use crate::theme;
 use crate::windows::dock::docked;
 use crate::windows::sub_window::SubWindow;
 
-/// Width of the button with the frames, of that which mends, of a limit's number.
+/// Width of the button with the frames, of that which fixes, of a limit's number.
 const FRAMES: f32 = 116.0;
 const MEND: f32 = 84.0;
 const NUMBER: f32 = 80.0;
@@ -322,7 +322,7 @@ impl Editor {
         }
     }
 
-    /// Mends a finding by the planner, or tells why it cannot be.
+    /// Fixes a finding with the planner, or reports why it cannot.
     pub(crate) fn cure(&mut self, finding: &Finding) {
         let copy = self.apart();
         let (object, finding) = (self.obstacles(), *finding);
@@ -337,7 +337,7 @@ impl Editor {
         }
     }
 
-    /// Applies what mends a finding, as one step, and says what it did. Frame, point and view stay.
+    /// Applies the fix of a finding as one step and reports it. Keeps frame, point and view.
     pub(crate) fn mend(&mut self, finding: &Finding, edits: Vec<Edit>) {
         if edits.is_empty() {
             return self.complain(self.texts().check.no_fix);

@@ -1,4 +1,4 @@
-//! Docked windows: they have a place of their own, so that they never lie over what they change.
+//! Docked windows: they have a fixed place, so that they never cover what they change.
 //!
 //! At the right they stand in place of the values of what is selected; the speeds of a section,
 //! whose picture is wide, stand at the bottom. One is seen at a time: the one before comes back

@@ -1,5 +1,5 @@
-//! Where the path lies in the world: centre and half size of the movement space, its unit, its
-//! upright axis. What is entered is pending until it is applied, as one step.
+//! Where the path lies in the world: centre and `half_size` of the movement space, its unit, its
+//! up axis. What is entered is pending until it is applied, as one step.
 
 use egui::{Button, Grid, Ui, vec2};
 use vides_document::Edit;

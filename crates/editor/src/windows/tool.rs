@@ -131,7 +131,7 @@ impl ToolWindow {
         self.tool.makes_flight() && self.unapplied.is_some()
     }
 
-    /// The size of the result, in words.
+    /// The text that describes the size of the result.
     fn result(&self, editor: &Editor) -> String {
         if self.lacks_stroke() {
             return editor.texts().tools.draw_now.to_owned();

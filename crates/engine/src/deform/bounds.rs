@@ -37,7 +37,7 @@ impl Bounds {
         Ok(Self { min, max })
     }
 
-    /// The smallest box round some points; the origin if there are none.
+    /// The smallest box around some points; without points, the origin.
     #[must_use]
     pub fn of(points: &[DVec3]) -> Self {
         let Some(&first) = points.first() else {

@@ -340,7 +340,7 @@ pub enum Invalid {
     PictureKeys { frame: f64 },
     #[error("no point is selected")]
     NothingSelected,
-    #[error("the same axis must stand upright in both paths")]
+    #[error("both paths must have the same up axis")]
     UprightDiffers,
     #[error(
         "up by \"frenet\" needs a curve of kind cubic whose points own no tangents, else its \
@@ -348,7 +348,7 @@ pub enum Invalid {
     )]
     NoNormal,
     #[error(
-        "the up \"{0}\" of an orientation cannot go along where another axis is to stand upright; \
+        "the up \"{0}\" of an orientation cannot be kept with another up axis; \
          choose \"axis\" for it before"
     )]
     FixedUp(&'static str),
@@ -454,7 +454,7 @@ pub enum TooMany {
         max = limits::MAX_FRAMES
     )]
     PoseSpan(f64),
-    #[error("a list cannot number so many poses")]
+    #[error("too many poses for a list")]
     Poses,
     #[error(
         "a Bézier curve has at most {} control points",

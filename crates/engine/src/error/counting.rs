@@ -13,7 +13,7 @@ use std::fmt;
 #[derive(Clone, Copy)]
 enum Counting {
     FromOne,
-    /// And whether the sentence has said so.
+    /// And whether the sentence has named it.
     FromZero(bool),
 }
 

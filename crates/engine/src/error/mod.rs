@@ -1,4 +1,4 @@
-//! Errors of the engine: each is one English sentence, fit to be shown to a person as it stands.
+//! Errors of the engine: each is one English sentence that can be shown to a user.
 
 mod causes;
 mod counting;
@@ -222,7 +222,8 @@ pub fn vec_with_room<T>(capacity: usize) -> Result<Vec<T>> {
     Ok(vec)
 }
 
-/// Checks that so many bytes can be had now, for what would abort without them, as parts of std do.
+/// Checks that this many bytes can be allocated, before code that would abort without them, as std
+/// may.
 #[doc(hidden)]
 pub fn can_allocate(bytes: usize) -> Result<()> {
     // The compiler would leave out an allocation that is not used.

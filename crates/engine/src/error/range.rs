@@ -7,7 +7,7 @@ use super::text::{List, Text};
 use crate::deform::formula;
 use crate::limits;
 
-/// Something with a number that can be wrong by itself.
+/// Something with a number that can be out of range.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[allow(missing_docs)] // each is named below
 pub enum Quantity {
@@ -143,14 +143,14 @@ pub enum OutOfRange {
     )]
     HalfSize,
     #[error(
-        "{} must lie within 1e9 half sizes of the world's origin",
+        "{} must lie within 1e9 half edges of the world's origin",
         Called("the centre of the space", "centre")
     )]
     Centre,
-    #[error("a coordinate must lie within 1e9 half sizes of the space's centre")]
+    #[error("a coordinate must lie within 1e9 half edges of the space's centre")]
     FarFromCentre,
     #[error(
-        "{} must lie between 0 and 1e9 half sizes of the space",
+        "{} must lie between 0 and 1e9 half edges of the space",
         Called("the distance ahead", "distance")
     )]
     DistanceAhead,

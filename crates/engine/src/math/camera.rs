@@ -1,4 +1,4 @@
-//! Matrices for programs that draw or compute with a camera in axes of their own.
+//! Matrices for programs that draw or compute with a camera in other axes.
 
 use glam::{DMat3, DMat4, DVec3, DVec4};
 

@@ -80,7 +80,7 @@ pub(crate) fn horner_each<V: Vector, const N: usize, const U: usize>(
     sums
 }
 
-/// What a number computes by itself.
+/// Operations on one number.
 macro_rules! by_itself {
     ($($name:ident($this:ident $(, $other:ident)*) => $value:expr;)*) => {
         $(

@@ -84,7 +84,7 @@ const ROOM: [f64; 2] = [0.06, 0.002];
 const ROUNDS: usize = 4;
 
 /// A way round is at most so many times as long as the part of the curve that it stands for, where
-/// there is room beside it; and places of the curve that are added on either side.
+/// it has room on each side; and places of the curve that are added on either side.
 const LONGER: f64 = 1.5;
 const BESIDE: usize = 24;
 
@@ -370,7 +370,7 @@ impl<'a> Work<'a> {
         Ok(Avoided { path, parts })
     }
 
-    /// Where a way round begins or ends: on the curve, or beside it where the curve ends too near.
+    /// Where a way round begins or ends: on the curve, or next to it where the curve ends too near.
     fn end(&mut self, u: f64, clear: f64) -> Result<DVec3> {
         let here = self.place(u);
         if self.field.far(here, self.need) >= self.need {
@@ -439,7 +439,7 @@ impl<'a> Work<'a> {
     }
 
     /// Gives a way round that is much longer than the part of the curve that it stands for more of
-    /// the curve beside it, so that its parameters do not crowd.
+    /// the curve around it, so that its parameters do not crowd.
     fn spread(&self, detours: &mut [Detour], k: usize) -> Result<()> {
         let Detour { from, to, .. } = detours[k];
         let stays = |u: &f64| !self.moves(*u, detours);

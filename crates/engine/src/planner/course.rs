@@ -9,7 +9,7 @@ use crate::path::section_sampler::{Along, SectionSampler};
 use crate::path::{CameraPath, Target, Timeline};
 use crate::tools::check::{FindingKind, Limits, OFF};
 
-/// Limits for one second, in half sizes, radians and millimetres; infinite: none.
+/// Limits for one second, in units of `half_size`, radians and millimetres; infinite: none.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Bounds {
     pub speed: f64,
@@ -37,7 +37,7 @@ impl Bounds {
     /// Those of a check.
     ///
     /// # Errors
-    /// [`Error::Argument`] for one of 0, or where there is none.
+    /// [`Error::Argument`] for a limit of 0, or without any limit.
     pub(super) fn new(limits: &Limits) -> Result<Self> {
         for kind in KINDS {
             if !(limits.get(kind) > 0.0) {
@@ -116,7 +116,7 @@ impl Bounds {
     }
 }
 
-/// Derivatives by φ at a place: way in half sizes, turning in radians, zoom in mm, and how many
+/// Derivatives by φ at a place: way by `half_size`, turning in radians, zoom in mm, and how many
 /// widths of the picture what is seen moves across it.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Ask {
@@ -281,7 +281,7 @@ fn sharpened(asks: &mut [Ask], half: f64, sampler: &SectionSampler) -> Result<()
     Ok(())
 }
 
-/// Derivatives at the nodes of so many cells and between them.
+/// Derivatives at the nodes of a number of cells and between them.
 fn measured(
     path: &CameraPath,
     target: Target,

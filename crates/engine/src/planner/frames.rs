@@ -1,5 +1,5 @@
 //! A whole number of frames for each section: which squared speeds x to have where sections meet,
-//! so that each can take so many and all together take the fewest.
+//! so that each is possible and all together are the fewest.
 //!
 //! Between two of them a section may take any time from that of its fastest pace to that of its
 //! slowest ([`super::reach`]), so a shortest path through a few speeds for each joint finds them.
@@ -204,7 +204,7 @@ impl Row<'_> {
         Ok(fits.then_some(((fewest, exact), fast, slow)))
     }
 
-    /// The same joints with so many more frames in one section.
+    /// The same joints with more frames in one section.
     pub(super) fn lengthened(&self, section: usize, paced: &Paced, more: usize) -> Result<Paced> {
         let frames = paced.frames + more;
         let slow = self.reaches[section].slowest(&paced.xs)?;

@@ -16,11 +16,11 @@ pub(super) struct Smoothing {
     window: f64,
 }
 
-/// Accelerations and speeds that are tried: each so much smaller than the one before, so many.
+/// The ratio of successive accelerations and speeds that are tried, and their number.
 const SMALLER: [f64; 2] = [0.85, 0.92];
 const TRIED: [usize; 2] = [16, 24];
 
-/// Not tried any further where it takes so much longer than the best.
+/// Stops trying where it takes longer than the best by this factor.
 const WORSE: f64 = 1.03;
 
 /// Share of the jerk's limit that a window should reach.
@@ -32,14 +32,14 @@ const NARROWEST: f64 = 0.25;
 const WIDEST: f64 = 0.75;
 
 /// Rounds in which sections take whole frames: near a rest about half of what one is slower is made
-/// good beside it, so each step goes further than what is missing.
+/// good by its neighbours, so each step goes further than what is missing.
 const SETTLED: usize = 40;
 const MORE: f64 = 1.4;
 
 /// Rounds in which a window is found.
 const ROUNDS: usize = 12;
 
-/// So much faster than the fastest pace a section may be before it is smoothed: margins do the rest.
+/// How much faster than the fastest pace a section may be before smoothing: margins do the rest.
 const FASTER: f64 = 0.002;
 
 /// What may be missing to whole frames, in frames, where the rest is stretched.
@@ -51,7 +51,7 @@ fn lasts(section: &[Knot]) -> f64 {
 }
 
 impl Smoothing {
-    /// Limits for the pace that is smoothed, of one so much slower.
+    /// Limits for the pace to smooth, slower by a factor.
     pub(super) fn bounds(&self, bounds: &Bounds, slower: f64) -> Bounds {
         Bounds {
             acceleration: bounds.acceleration.min(self.acceleration / slower.powi(2)),
@@ -277,7 +277,7 @@ impl Work<'_> {
         }
     }
 
-    /// Limits of paces so much slower, before they are smoothed.
+    /// Limits of slower paces, before smoothing.
     pub(super) fn slower_bounds(&self, slower: f64) -> Bounds {
         let mut bounds = self.bounds.stretched(slower);
         match &self.smoothing {

@@ -1,11 +1,11 @@
 //! How a path is flown, planned instead of given (`docs/planning.md`).
 //!
-//! [`retime()`] computes the pace anew within limits. `course` measures what the curve and the views
+//! [`retime()`] recomputes the pace within limits. `course` measures what the curve and the views
 //! ask of the pace, `reach` finds how fast it may be anywhere, `frames` gives each section a whole
 //! number of frames, `track` few keys of a given distance. [`avoid()`] leads the way clear of an
 //! object, [`keep_in_picture()`] keeps one whole in the picture, [`tour()`] makes a flight that shows
-//! one, [`steady()`] takes the shaking of a hand out of a recorded flight. Limits are those of a
-//! check ([`crate::tools::check::Limits`]), in half sizes, degrees, millimetres and seconds.
+//! one, [`steady()`] stabilises a recorded flight. Limits are those of a
+//! check ([`crate::tools::check::Limits`]), by `half_size`, in degrees, millimetres and seconds.
 
 pub mod avoid;
 mod course;

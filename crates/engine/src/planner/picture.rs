@@ -66,7 +66,7 @@ pub struct Framed {
 /// A path already as tight as this is left as it is.
 const TIGHT: f64 = 0.99;
 
-/// So much less than all of the room is aimed at, for what lies between samples.
+/// The margin that is left for what lies between samples.
 const SPARE: f64 = 1e-5;
 
 /// Keeps an object whole in the picture less margin, at every frame and between.
@@ -85,7 +85,7 @@ pub fn keep_in_picture(
 }
 
 /// As [`keep_in_picture`], with a tree that is there; `progress` gets places along the path that were
-/// looked at and all, for each round anew, and ends it with `false`.
+/// looked at and all, starting over in each round, and ends it with `false`.
 ///
 /// # Errors
 /// As [`keep_in_picture`]; [`crate::Error::Argument`] where `progress` ends it.

@@ -314,7 +314,7 @@ pub(super) fn seconds(xs: &[f64], ramps: Ramps) -> f64 {
     times(xs, ramps).sum()
 }
 
-/// A mix of a fast and a slow pace that takes so many seconds.
+/// A mix of a fast and a slow pace that takes these seconds.
 pub(super) fn mixed(fast: &[f64], slow: &[f64], ramps: Ramps, wanted: f64) -> Result<Vec<f64>> {
     let mut mix = vec_with_room(fast.len())?;
     let mut ends = [0.0, 1.0];

@@ -1,4 +1,4 @@
-//! The pace of a path computed anew: where the camera is at a place it looks where it looked before.
+//! The pace of a path recomputed: where the camera is at a place it looks where it looked before.
 
 pub use self::request::{Request, Rest, Retimed};
 use super::course::{Bounds, Course};
@@ -37,15 +37,15 @@ const ROUNDS: usize = 40;
 /// Rounds in which a pace is smoothed, if it is to be.
 const SMOOTHED: usize = 25;
 
-/// The pace of a path, or of a range of it, computed anew: as fast as the limits allow, or in a
+/// The pace of a path, or of a range of it, recomputed: as fast as the limits allow, or in a
 /// given time with the lowest peaks. Rest at the ends of an open path and where keys are held;
-/// where a range ends, the speed of what lies beside it, as far as the limits allow. `progress` gets
+/// where a range ends, the speed of its neighbour, as far as the limits allow. `progress` gets
 /// rounds done and the most there can be, and ends it with `false`.
 ///
 /// # Errors
 /// [`crate::Error::Argument`] for limits of 0, none at all, a time shorter than they allow, or
 /// where the pace would have to rest within a section, or `progress` ends it;
-/// [`crate::Error::Range`] for points that there are not; [`crate::Error::Limit`] for too many
+/// [`crate::Error::Range`] for points that do not exist; [`crate::Error::Limit`] for too many
 /// frames; [`crate::Error::Memory`].
 pub fn retime(path: &CameraPath, request: &Request, progress: Progress<'_>) -> Result<Retimed> {
     let bounds = Bounds::new(&request.limits)?;

@@ -1,4 +1,4 @@
-//! A flight without the shaking of a hand: the poses through a low pass without a lag, then a path
+//! Stabilises a recorded flight: its poses pass a low-pass filter without lag, then become a path
 //! of few points again.
 //!
 //! The low pass is the smoothing spline (C. Reinsch, *Smoothing by spline functions*, 1967): of a
@@ -38,10 +38,10 @@ const ROUNDS: usize = 4;
 /// What is asked for.
 #[derive(Debug, Clone, Copy)]
 pub struct SteadyRequest {
-    /// The low pass leaves half of a movement that takes so many seconds there and back, and hardly
+    /// The cut-off period in seconds: the low pass halves motion of this period, and leaves hardly
     /// anything of quicker ones; > 0, at most 2,000 frames.
     pub seconds: f64,
-    /// So far a place may go from where it was, ≥ 0; 0: no bound.
+    /// Maximum distance any position may move, ≥ 0; 0: no limit.
     pub within: f64,
     /// Frames a second.
     pub fps: f64,

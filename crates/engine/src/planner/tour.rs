@@ -1,4 +1,4 @@
-//! A flight that shows an object that nobody has planned for: candidate views around it or in it,
+//! A flight that shows an object: candidate views around it or in it,
 //! the fewest of them that show enough, a short round that keeps clear, a smooth path at a pace
 //! within limits.
 
@@ -30,8 +30,8 @@ use crate::tools::clearance::Clearance;
 use crate::tools::fit::Progress;
 use crate::tools::watch::Watch;
 
-/// The distance that is found: so many times half the height, or half the diagonal of the ground,
-/// are whole in the picture with a tenth to spare.
+/// The default distance, as a multiple of half the height, or half the diagonal of the ground,
+/// so that these are whole in the picture with a tenth to spare.
 const FIT: [f64; 2] = [2.2, 1.47];
 
 /// Ways keep this share of the distance away, the curve this one.
@@ -46,11 +46,11 @@ const MANY: f64 = 250_000.0;
 /// Places tried for what no other shows.
 const MORE: usize = 100;
 
-/// So many triangles are asked where they might be seen from, and in so many directions.
+/// How many triangles propose views, and in how many directions.
 const ASKED: usize = 1500;
 const WAYS: usize = 96;
 
-/// A speed above so many times the mean is not asked for, unless it must be.
+/// The highest multiple of the mean speed that is requested, unless more is required.
 const EVEN: f64 = 1.25;
 
 /// A flight that shows as much of an object's surface as is asked for. Outside only the side that

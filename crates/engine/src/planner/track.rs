@@ -34,7 +34,7 @@ pub(super) struct Track {
 }
 
 impl Track {
-    /// About the share of the way after so many seconds; below 0: before the end.
+    /// About the share of the way after a time in seconds; below 0: before the end.
     pub(super) fn share(&self, seconds: f64) -> f64 {
         let last = self.knots[self.knots.len() - 1][0];
         let time = if seconds < 0.0 {
@@ -55,7 +55,7 @@ impl Track {
     }
 }
 
-/// The knots of squared rates on an even grid, in so many seconds.
+/// The knots of squared rates on an even grid, for a duration in seconds.
 pub(super) fn knots(xs: &[f64], ramps: Ramps, seconds: f64) -> Result<Vec<Knot>> {
     let last = xs.len() - 2;
     let share = 1.0 / (last + 1) as f64;

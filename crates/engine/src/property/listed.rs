@@ -21,7 +21,7 @@ choices! {
 /// What is known of one key.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Listed {
-    /// What has it.
+    /// The owner.
     pub owner: Owner,
     /// Its key in files.
     pub key: &'static str,
@@ -31,11 +31,11 @@ pub struct Listed {
     pub unit: Unit,
     /// The least and the greatest number, if they do not depend on the space.
     pub range: Option<(f64, f64)>,
-    /// What a new one has, as it stands in a file; empty if nothing is set.
+    /// What a new one has, as in a file; empty if nothing is set.
     pub new: String,
-    /// What is computed anew where it changes.
+    /// What is recomputed where it changes.
     pub affects: Affects,
-    /// Whether a copy at another place has it, too.
+    /// Whether a copy elsewhere keeps it.
     pub copied: bool,
     /// What it is for.
     pub does: &'static str,

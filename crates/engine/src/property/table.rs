@@ -33,7 +33,7 @@ choices! {
 }
 
 choices! {
-    /// What is computed anew where a property changes, with all that follows from it.
+    /// What is recomputed where a property changes, with all that follows from it.
     #[derive(PartialOrd, Ord)]
     pub enum Affects {
         /// Nothing: no pose moves.
@@ -64,13 +64,13 @@ pub enum Check<F> {
 
 /// What becomes of a field of type `F` elsewhere.
 pub enum Copied<F> {
-    /// It goes along in every copy.
+    /// Every copy keeps this.
     Anywhere,
     /// It holds for its place, and is given to other places only where one asks for it.
     IfAsked,
     /// It holds for its place alone.
     Nowhere,
-    /// It goes along after this.
+    /// It is copied after this.
     After(fn(&mut F)),
 }
 
@@ -84,7 +84,7 @@ pub struct Row<F> {
     pub check: Check<F>,
     /// Whether a file has it even with the value of a new one.
     pub always: bool,
-    /// What is computed anew where it changes.
+    /// What is recomputed where it changes.
     pub affects: Affects,
     /// What becomes of it elsewhere.
     pub copied: Copied<F>,
@@ -121,7 +121,7 @@ pub struct Property<T: 'static> {
     pub always: bool,
     /// See [`Row::affects`].
     pub affects: Affects,
-    /// Whether it goes along in a copy, and where it does not, whether it is given to other places
+    /// Whether a copy keeps it, and if not, whether it is given to other places
     /// where one asks for it.
     pub copied: [bool; 2],
     /// Its value.
@@ -153,7 +153,7 @@ impl<T> Property<T> {
         found.unwrap_or(Kind::Nested)
     }
 
-    /// Sets it, rounded if it is a whole number; false if it is none.
+    /// Sets it, rounded if it is a whole number; false if it is no number.
     pub fn set_number(&self, of: &mut T, number: f64) -> bool {
         let mut value = match self.kinds {
             [Kind::Whole] => Value::Whole(number.round() as i64),
@@ -206,7 +206,7 @@ pub trait Stored: SameBits + Clone {
     }
 }
 
-/// Types that are a kind of [`Value`] of their own.
+/// Types with their own kind of [`Value`].
 macro_rules! stored {
     ($($type:ty: $kind:ident;)*) => { $(
         impl Stored for $type {
@@ -329,7 +329,7 @@ impl<T: Into<Self>> From<Option<T>> for Value {
 choice! { Up }
 choice! { EaseKind }
 
-/// Structures that files write in a way of their own.
+/// Structures that files write in a special way.
 impl<T: SameBits + Clone> Stored for Vec<T> {}
 
 impl Stored for Space {}

@@ -23,7 +23,7 @@ macro_rules! kinds {
             Choice(&'static [&'static str]),
             /// Two vectors of the world, by their names.
             Pair([&'static str; 2]),
-            /// A structure that files write in a way of their own.
+            /// A structure that files write in a special way.
             Nested,
         }
 

@@ -8,7 +8,8 @@ use crate::math::orientation::{
 use crate::math::quaternion::slerp_shortest;
 use crate::path::{Space, Up};
 
-/// Within so many half sizes of the space there is no direction (`docs/path.md`, tracked sections).
+/// Within this distance, in units of `half_size`, there is no direction (`docs/path.md`, tracked
+/// sections).
 const NEAR: f64 = 1e-9;
 
 pub(super) fn direction(eye: DVec3, target: DVec3, space: Space) -> Option<DVec3> {

@@ -92,13 +92,13 @@ impl Scene {
         self.run(&self.order, packs, frame, states, warnings, search)
     }
 
-    /// Whether no host's function interpolates and nobody aims: once prepared, it needs no memory.
+    /// Whether no host's function interpolates and no node aims: once prepared, it needs no memory.
     #[must_use]
     pub fn is_plain(&self) -> bool {
         self.plain().0
     }
 
-    /// The same, and whether nobody follows a path.
+    /// The same, and whether no node follows a path.
     fn plain(&self) -> (bool, bool) {
         *self.nodes.plain.get_or_init(|| {
             let plain = |node: &Node| {

@@ -1,7 +1,7 @@
 //! A node that moves keeps its way through the world in another parent.
 //!
 //! Where both parents rest and the way from the one into the other turns, scales evenly and moves,
-//! so do the keys, or the points of the path: interpolations go along with such a map. Else there is
+//! so do the keys, or the points of the path: interpolations commute with such a map. Else there is
 //! a key a frame. What was made is held against what was there at every frame of the scene.
 
 use glam::{DAffine3, DMat4, DQuat, DVec3, DVec4};
@@ -19,7 +19,7 @@ use crate::limits::MAX_FRAMES;
 use crate::math::quaternion::continue_sign;
 use crate::tools::transform::transform;
 
-/// How even a scale must be, and how square its axes, for keys to go along with it.
+/// How even a scale must be, and how square its axes, for keys to be transformed by it.
 const EVEN: f64 = 1e-12;
 
 /// A map that turns, scales evenly and moves; and where it puts positions of a node with a pivot.

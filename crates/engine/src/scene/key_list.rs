@@ -16,7 +16,7 @@ pub struct KeyList {
 }
 
 impl KeyList {
-    /// Room for so many keys with so many numbers each.
+    /// Room for `keys` keys of `width` numbers.
     pub(super) fn with_room(keys: usize, [width, shape]: [usize; 2]) -> Result<Self> {
         Ok(Self {
             frames: vec_with_room(keys)?,
@@ -31,7 +31,7 @@ impl KeyList {
         self.frames.len()
     }
 
-    /// Whether there is none.
+    /// Whether it is empty.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.frames.is_empty()

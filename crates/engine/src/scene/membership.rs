@@ -46,7 +46,7 @@ impl Scene {
         &self.ids
     }
 
-    /// The number of a node; none if it is not there.
+    /// The number of a node; none if it was removed.
     #[must_use]
     pub fn number_of(&self, id: NodeId) -> Option<usize> {
         self.ids.binary_search(&id).ok()

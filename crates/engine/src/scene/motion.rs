@@ -20,7 +20,7 @@ pub trait Motion {
     /// [`crate::Error::Memory`]. A host's function that fails is put among the warnings.
     fn at(&self, frame: f64, values: &mut Values, warnings: &mut Warnings) -> Result<()>;
 
-    /// The first and the last frame of its own; none if nothing moves.
+    /// Its first and last frame; none if it does not move.
     fn frames(&self) -> Option<(f64, f64)>;
 }
 

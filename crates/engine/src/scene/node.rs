@@ -185,7 +185,7 @@ impl Node {
         Ok(())
     }
 
-    /// Removes the track of a channel; false if there is none.
+    /// Removes the track of a channel; false if the channel has no track.
     pub fn remove_track(&mut self, channel: &Channel) -> bool {
         self.keys.remove(channel)
     }

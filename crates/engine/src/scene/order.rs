@@ -41,7 +41,7 @@ struct Known {
 }
 
 impl Order {
-    /// Adds a node behind the others, which nobody needs yet.
+    /// Adds a node after the others, to which no node refers yet.
     pub(super) fn add(&mut self, node: &Node) {
         let at = self.nodes.len();
         Arc::make_mut(&mut self.nodes).push(at);
@@ -57,7 +57,7 @@ impl Order {
     }
 
     /// Takes note of a node's new parent and aim, where these lead to no circle, to no more levels
-    /// than there may be, and to another order only where nobody aims; if not, nothing has changed.
+    /// than there may be, and to another order only if no node aims; if not, nothing has changed.
     pub(super) fn moved(
         &mut self,
         nodes: &SharedList<Node>,
@@ -248,7 +248,7 @@ impl Deref for Order {
     }
 }
 
-/// Whoever may change the order otherwise makes what is known anew.
+/// Any other change of the order must recompute what is known.
 impl DerefMut for Order {
     fn deref_mut(&mut self) -> &mut Vec<usize> {
         self.tree = None;

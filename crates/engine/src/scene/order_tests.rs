@@ -28,7 +28,7 @@ fn is_right(scene: &Scene) -> bool {
     !places.contains(&usize::MAX) && (0..places.len()).all(behind)
 }
 
-/// The same links are taken and refused as by a scene whose order is made anew for each.
+/// The same links are taken and refused as by a scene whose order is rebuilt for each.
 #[test]
 fn the_order_after_any_links_is_one_of_the_scene() {
     let mut random = Random(3);

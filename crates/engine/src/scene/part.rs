@@ -55,7 +55,7 @@ pub enum Part {
         /// The path, if any.
         path: Option<Arc<FollowPath>>,
     },
-    /// When a node's path begins, and what comes before and after it.
+    /// When a node's path begins, and how it continues before and after.
     Start {
         /// The node.
         node: usize,
@@ -190,7 +190,7 @@ pub struct Rest {
     pub pivot: DVec3,
     /// The values.
     pub values: Values,
-    /// What a light or a camera has; of others it is not looked at.
+    /// The values of a light or a camera; other kinds ignore them.
     pub kind: Kind,
 }
 

@@ -18,7 +18,7 @@ pub struct Pinned {
 /// What pins make of a path: points with the frames of their markers, in the order of the points.
 ///
 /// # Errors
-/// [`crate::Error::Range`] if the sections between two pins cannot have so many frames,
+/// [`crate::Error::Range`] if the sections between two pins cannot have that number of frames,
 /// [`crate::Error::Argument`] if markers lie in another order, [`crate::Error::Memory`].
 pub fn pinned(path: &CameraPath, timeline: &Timeline, pins: &[(usize, f64)]) -> Result<Pinned> {
     let mut fixed = Vec::new();

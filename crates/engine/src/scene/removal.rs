@@ -84,7 +84,7 @@ impl Removal {
     /// The place of the node with a number.
     ///
     /// # Errors
-    /// [`crate::Error::Range`] if there is none.
+    /// [`crate::Error::Range`] if it does not exist.
     pub fn place(&self, number: usize) -> Result<usize> {
         let count = self.count;
         if number >= count {
@@ -109,7 +109,7 @@ impl Removal {
     /// Removes the node with a number and all that is in it.
     ///
     /// # Errors
-    /// [`crate::Error::Range`] if there is none.
+    /// [`crate::Error::Range`] if it does not exist.
     pub fn remove(&mut self, number: usize) -> Result<()> {
         let place = self.place(number)?;
         self.remove_place(place);
@@ -154,7 +154,7 @@ impl Scene {
     /// Removes a node with all that is in it. Later ones move up; aims at what is removed end.
     ///
     /// # Errors
-    /// [`crate::Error::Range`] if there is none, [`crate::Error::Memory`].
+    /// [`crate::Error::Range`] if it does not exist, [`crate::Error::Memory`].
     pub fn remove(&mut self, at: usize) -> Result<()> {
         let mut removal = Removal::new(self)?;
         removal.remove(at)?;

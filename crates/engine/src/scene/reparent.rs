@@ -1,4 +1,4 @@
-//! A node is given another parent: it stays where it is in the world, or goes along with that.
+//! A node gets another parent: it keeps its place in the world, or moves with the parent.
 
 use glam::{DAffine3, DMat3, DQuat, DVec3};
 
@@ -17,7 +17,7 @@ pub enum Keep {
     /// Its place in the world at the scene's first frame, as [`Scene::set_node`] does.
     #[default]
     Place,
-    /// Its numbers, path and tracks, so that it goes along with the new parent.
+    /// Its numbers, path and tracks, so that it moves with the new parent.
     Numbers,
     /// Its way through the world at every frame of the scene, by other numbers ([`Scene::way_in`]).
     Way,

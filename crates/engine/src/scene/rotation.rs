@@ -70,7 +70,7 @@ pub(super) fn arc_weights<V: Vector>(square: V, inverse: V, u: V) -> [V; 2] {
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Between {
-    /// Nothing of its own.
+    /// No rotation.
     Keys,
     Arcs,
     /// The tcb curve.

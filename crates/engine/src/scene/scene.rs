@@ -78,7 +78,7 @@ impl Scene {
         Ok(scene)
     }
 
-    /// Where it lies in the world, and what is upright for those who aim. A path in it has its own.
+    /// Where it is in the world, and the up axis for nodes that aim. A path in it has its own.
     #[must_use]
     pub const fn space(&self) -> Space {
         self.space
@@ -137,7 +137,7 @@ impl Scene {
     /// A node by its number.
     ///
     /// # Errors
-    /// [`Error::Range`] if there is none.
+    /// [`Error::Range`] if it does not exist.
     pub fn node(&self, at: usize) -> Result<&Node> {
         self.nodes.get(at).ok_or_else(|| self.no_node(at))
     }

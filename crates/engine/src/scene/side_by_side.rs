@@ -213,7 +213,7 @@ fn local<V: Vector>(
     }
 }
 
-/// The matrix of a node in the world, of its own and that of its parent.
+/// The world matrix of a node, from its local one and that of its parent.
 #[inline(always)]
 fn world<V: Vector>(own: &Own, lane: usize, parent: &[f64; 16]) -> [f64; 16] {
     let mut matrix = [0.0; 16];
@@ -390,7 +390,7 @@ pub(super) struct Nodes {
     pub frames: OnceLock<Option<(f64, f64)>>,
 }
 
-/// Gathering numbers costs so many times less than packing them and gathering nothing.
+/// The factor by which gathering numbers costs less than packing them and gathering nothing.
 const PACKING: usize = 16;
 
 impl Nodes {
@@ -468,7 +468,7 @@ impl Deref for Nodes {
     }
 }
 
-/// Whoever may change a node makes what is prepared anew.
+/// A change of a node must rebuild what is prepared.
 impl DerefMut for Nodes {
     fn deref_mut(&mut self) -> &mut SharedList<Node> {
         *self = std::mem::take(&mut self.all).into();

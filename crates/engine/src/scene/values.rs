@@ -96,7 +96,8 @@ impl Values {
         (self.colour, self.intensity, self.cone, self.visible)
     }
 
-    /// Sets the numbers of a channel; false if it is none of these, or has not so many.
+    /// Sets the numbers of a channel; false if it is not one of these, or has another number of
+    /// values.
     pub fn set(&mut self, channel: &Channel, numbers: &[f64]) -> bool {
         match (channel, numbers) {
             (Channel::Position, &[x, y, z]) => self.position = DVec3::new(x, y, z),

@@ -79,7 +79,7 @@ pub fn reverse(path: &CameraPath) -> Result<CameraPath> {
 }
 
 /// Keys between which nothing changes are one with the properties of the later: here both have
-/// them, since backwards the other one is the later.
+/// them, since their order is reversed.
 fn merged(path: &CameraPath) -> Result<CameraPath> {
     let timeline = Timeline::new(path)?;
     let mut path = path.try_clone()?;

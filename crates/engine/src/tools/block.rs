@@ -20,13 +20,13 @@ use crate::path::up_vector::check_ups;
 use crate::path::{CameraPath, SupportPoint, Tangents, Up, alignment};
 use crate::shared_list::SharedList;
 
-/// Half sizes of the space that a length must have to tell a direction.
+/// The least length that has a direction, in units of `half_size`.
 const LEAST: f64 = 1e-9;
 
 /// How a block is put in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Fit {
-    /// As it lies.
+    /// Unchanged.
     None,
     /// Moved, so that it begins where the path is.
     #[default]

@@ -1,4 +1,4 @@
-//! What will look wrong in a film. Lengths count in half sizes of the space.
+//! What will look wrong in a film. Lengths count in units of `half_size`.
 //!
 //! Between frames a view that jumps is found by halving the interval, a cusp by the least tangent
 //! of the curve, a jump of the speed by differences on both sides of a key.
@@ -66,7 +66,7 @@ impl fmt::Display for Finding {
     }
 }
 
-/// So many decimals show three digits of a number, or all.
+/// The number of decimals that show three digits of a number, or all.
 fn decimals(value: f64) -> usize {
     let enough = |decimals: &usize| {
         let scaled = (value * 10_f64.powi(*decimals as i32)).abs();
@@ -608,7 +608,7 @@ fn time_of(timing: &crate::path::Timing, way: f64) -> f64 {
     low
 }
 
-/// So many frames would a thing need, seen in the middle of the picture at a depth, to cross it.
+/// How many frames something in the middle of the picture at a depth would need to cross it.
 fn crossing(last: &Frame, here: &Frame, depth: f64) -> f64 {
     let thing = last.place + depth * last.pose.view();
     let seen = (thing - here.place).reject_from_normalized(here.pose.view());

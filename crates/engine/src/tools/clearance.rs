@@ -219,7 +219,8 @@ impl Clearance {
         }
     }
 
-    /// Walks the tree; `look` gets a node with a leaf's primitives and tells whether to go deeper.
+    /// Walks the tree; `look` gets a node with a leaf's primitives and returns whether to go
+    /// deeper.
     pub(crate) fn walk(&self, look: &mut dyn FnMut(&BoxNode, &[Primitive]) -> bool) {
         let mut stack = [0_u32; DEPTH];
         let mut depth = 1;

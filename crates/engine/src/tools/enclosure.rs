@@ -26,7 +26,7 @@ pub struct Enclosure<'a> {
 }
 
 impl<'a> Enclosure<'a> {
-    /// The closed parts around a place; `None` if there are none. Quick where a ray from the place
+    /// The closed parts around a place, if any. Quick where a ray from the place
     /// meets nothing, else it takes the time of two sortings of all corners.
     ///
     /// # Errors
@@ -159,7 +159,7 @@ mod tests {
     use super::*;
     use crate::scene::Mesh;
 
-    /// A box with a side left out, or none; each triangle with corners of its own.
+    /// A box with a side left out, or none; each triangle with separate corners.
     fn soup(half: f64, at: DVec3, without: Option<usize>) -> Vec<[DVec3; 3]> {
         let mut all = Vec::new();
         for side in (0..6).filter(|side| Some(*side) != without) {

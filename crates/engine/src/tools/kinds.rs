@@ -28,7 +28,7 @@ pub enum FindingKind {
     Target,
     /// The object is too near.
     Clearance,
-    /// The way leads through the object.
+    /// The path leads through the object.
     Through,
     /// Nothing of the object is in the picture.
     NothingToSee,
@@ -44,14 +44,14 @@ pub enum FindingKind {
     Speed,
     /// Things cross the picture too fast.
     Crossing,
-    /// The way goes back although its points lead on.
+    /// The path runs back although its points lead on.
     Backwards,
 }
 
 /// Number of kinds.
 pub const COUNT: usize = 20;
 
-/// A limit that nothing is beyond: its kind is not looked for.
+/// A limit that nothing is beyond: disables its kind.
 pub const OFF: f64 = f64::INFINITY;
 
 /// A kind, its limit under the kind's name, its unit, what a finding says and what helps.
@@ -174,7 +174,7 @@ impl FindingKind {
         self.limit().name
     }
 
-    /// What its limit counts, as it stands behind a number; may be empty.
+    /// What its limit counts, after a number; may be empty.
     #[must_use]
     pub const fn unit(self) -> &'static str {
         ROWS[self as usize].2[0]

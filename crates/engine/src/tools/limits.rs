@@ -8,7 +8,7 @@ impl FindingKind {
     /// The kind of this name.
     ///
     /// # Errors
-    /// [`crate::Error::Argument`] if there is none.
+    /// [`crate::Error::Argument`] if it does not exist.
     pub fn parse(name: &str) -> Result<Self> {
         let found = Self::all().find(|kind| kind.name() == name);
         found.ok_or_else(|| Invalid::NoCheck(name.into()).into())
@@ -34,7 +34,7 @@ impl SameBits for Limits {
 impl Stored for Limits {}
 
 impl Limits {
-    /// Those that hold where nobody says anything.
+    /// The defaults.
     pub const NEW: Self = {
         let (mut limits, mut at) = ([0.0; COUNT], 0);
         while at < COUNT {
@@ -50,7 +50,7 @@ impl Limits {
         self.0[kind as usize]
     }
 
-    /// Sets a limit; [`OFF`]: the kind is not looked for.
+    /// Sets a limit; [`OFF`]: disables the kind.
     ///
     /// # Errors
     /// [`crate::Error::Argument`] or [`crate::Error::Range`]; nothing is changed then.

@@ -27,7 +27,7 @@ use crate::path::{
 /// The largest angle of one circular segment.
 const ARC: f64 = TAU / 12.0;
 
-/// A way of so many half sizes counts as none (docs/path.md, sections).
+/// A shorter way, in units of `half_size`, counts as none (docs/path.md, sections).
 const NO_WAY: f64 = 1e-9;
 
 /// The largest angle between two views of a tilted pan, which would cut its way short.
@@ -253,7 +253,7 @@ impl MoveArguments<'_> {
         TAU * self.number("turns")
     }
 
-    /// Shares of the way at which the points of so many sections stand: even ones, moved to where
+    /// Shares of the way at which the points of `sections` sections are: even ones, moved to where
     /// the nearest whole frame of an even pace falls; fewer if there are fewer frames, but no fewer
     /// than `least` sections. `speed` is that of the camera over its share.
     #[allow(
@@ -316,7 +316,7 @@ impl Move {
     /// The move of this name.
     ///
     /// # Errors
-    /// [`crate::Error::Argument`] if there is none.
+    /// [`crate::Error::Argument`] if it does not exist.
     pub fn named(name: &str) -> Result<&'static Self> {
         MOVES
             .iter()

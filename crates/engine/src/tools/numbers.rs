@@ -4,7 +4,7 @@ use super::parameter::Parameter;
 use crate::error::{Invalid, OutOfRange, Result, vec_with_room};
 
 impl Parameter {
-    /// Checks one of its numbers for a space of such a half size.
+    /// Checks one of its numbers for a space of this `half_size`.
     ///
     /// # Errors
     /// [`crate::Error::Argument`] if it is not finite, [`crate::Error::Range`].
@@ -20,7 +20,7 @@ impl Parameter {
         Ok(())
     }
 
-    /// All numbers of a tool in a space of such a half size, checked: those given, in the order of
+    /// All numbers of a tool in a space of this `half_size`, checked: those given, in the order of
     /// its table, then defaults.
     ///
     /// # Errors

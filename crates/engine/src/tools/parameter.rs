@@ -24,7 +24,7 @@ pub enum Unit {
 }
 
 impl Unit {
-    /// As it stands behind a number; empty for lengths and ratios.
+    /// The unit after a number; empty for lengths and ratios.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -52,11 +52,11 @@ pub struct Parameter {
     pub unit: Unit,
     /// 1; 3 for x, y and z; 192 for a lattice.
     pub width: usize,
-    /// The least that it may be; of a length, in half sizes of the space.
+    /// The least that it may be; of a length, in units of `half_size`.
     pub least: f64,
-    /// The most that it may be; of a length, in half sizes.
+    /// The most that it may be; of a length, in units of `half_size`.
     pub most: f64,
-    /// What each of its numbers is unless told; of a length, in half sizes.
+    /// The default of each of its numbers; of a length, in units of `half_size`.
     pub default: f64,
 }
 
@@ -99,7 +99,7 @@ impl Parameter {
         all.iter().map(|parameter| parameter.width).sum()
     }
 
-    /// What its bounds and its default are in, in a space of such a half size.
+    /// What its bounds and its default are in, in a space of this `half_size`.
     #[must_use]
     pub fn scale(&self, half_size: f64) -> f64 {
         if self.unit == Unit::Length {

@@ -15,7 +15,7 @@ use crate::math::quaternion::{angle, continue_sign};
 use crate::path::{CameraPath, Pose, Sampler, Timeline, curve, hermite::Cubic};
 use crate::shared_list::SharedList;
 
-/// By how much poses may differ: half sizes, degrees, millimetres.
+/// By how much poses may differ: units of `half_size`, degrees, millimetres.
 const SAME: [f64; 3] = [1e-3, 0.1, 0.1];
 
 /// Points on either side that are planned, of a curve by T/C/B and of a cubic spline.
@@ -27,7 +27,7 @@ const MOST: usize = 500;
 /// How the poses change without a point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Without {
-    /// The greatest change, as a share of 1e-3 half sizes, 0.1° or 0.1 mm.
+    /// The greatest change, as a share of 1e-3 `half_size`, 0.1° or 0.1 mm.
     pub change: f64,
     /// The frames that the section before the point must own then; 0: by its length.
     pub frames: u32,
@@ -91,7 +91,7 @@ pub fn without(path: &CameraPath, point: usize, most: f64) -> Result<Option<With
     Ok(Some(Without { change, frames }))
 }
 
-/// The points around one, as a path of their own, and which of them it is.
+/// The points around one, as a separate path, and which of them it is.
 fn around(path: &CameraPath, point: usize, radius: usize) -> Result<(CameraPath, usize)> {
     let count = path.points.len();
     if count <= 2 * radius + 1 {

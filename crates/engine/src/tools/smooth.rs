@@ -138,7 +138,7 @@ impl<const N: usize> Spline<N> {
         Ok(spline)
     }
 
-    /// Near the rows but for a few that are far off (P. J. Huber, *Robust estimation of a location
+    /// Near the rows except a few that are far off (P. J. Huber, *Robust estimation of a location
     /// parameter*, 1964): beyond `bound` a row pulls no more than at it, and those left out not at
     /// all.
     pub(crate) fn robust(

@@ -72,7 +72,7 @@ pub fn check_matrix(matrix: &DMat4) -> Result<()> {
 ///
 /// # Errors
 /// [`crate::Error::Argument`] as [`check_matrix`], if no point is selected, or where a point would
-/// lie on a target of its own; [`crate::Error::Range`], [`crate::Error::Memory`].
+/// lie on its own target; [`crate::Error::Range`], [`crate::Error::Memory`].
 pub fn transform(
     path: &CameraPath,
     points: &[usize],
@@ -198,7 +198,7 @@ fn mapped(
     Ok(changed)
 }
 
-/// Gives changed points whose up is not the axis the rolls with which their ups go along.
+/// Gives changed points whose up is not the axis the rolls with which their ups follow.
 fn turn_ups(path: &CameraPath, map: &Map<'_>, changed: &mut Changed) -> Result<()> {
     let mut whole = path.try_clone()?;
     for (number, point) in changed.iter() {
@@ -223,7 +223,7 @@ fn turn_ups(path: &CameraPath, map: &Map<'_>, changed: &mut Changed) -> Result<(
     Ok(())
 }
 
-/// An orientation whose camera goes along: target, roll, velocities.
+/// An orientation whose camera moves with it: target, roll, velocities.
 fn seen(
     old: &Orientation,
     (position, view): (DVec3, DVec3),

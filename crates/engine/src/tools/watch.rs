@@ -7,11 +7,11 @@ use std::time::{Duration, Instant};
 use super::fit::Progress;
 use crate::error::{Invalid, Result};
 
-/// At least so long it is not asked again.
+/// The least time between two questions.
 const PAUSE: Duration = Duration::from_millis(20);
 
 /// A progress that many parts of a work share. Once it has said no, the answers of those who ask
-/// [`Watch::goes_on`] no longer count: whoever began the work ends with [`Watch::check`].
+/// [`Watch::goes_on`] no longer count: the caller ends with [`Watch::check`].
 pub(crate) struct Watch<'a> {
     progress: RefCell<Progress<'a>>,
     done: Cell<usize>,
@@ -31,7 +31,7 @@ impl<'a> Watch<'a> {
         }
     }
 
-    /// Tells how far the work is.
+    /// Reports the progress.
     pub(crate) fn at(&self, done: usize, all: usize) -> Result<()> {
         self.done.set(done);
         self.all.set(all);

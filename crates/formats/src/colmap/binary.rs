@@ -67,7 +67,7 @@ impl<'a> Bytes<'a> {
         Ok(numbers)
     }
 
-    /// Skips so many entries of a size.
+    /// Skips a number of entries of a size.
     fn skip(&mut self, count: u64, size: u64) -> Result<()> {
         let bytes = count.checked_mul(size);
         let bytes = bytes.ok_or_else(|| self.place().wrong(Cause::TooLarge))?;

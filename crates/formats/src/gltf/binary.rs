@@ -84,7 +84,7 @@ impl Binary {
         self.add(start, 4, Use::Points, accessor)
     }
 
-    /// Corners among so many points.
+    /// Corners among a number of points.
     pub(super) fn corners(&mut self, corners: &[u32], points: usize) -> Result<usize> {
         let start = self.bytes.len();
         let short = points <= LAST_SHORT + 1;

@@ -12,7 +12,7 @@ use crate::convention::{self, Continued};
 use crate::error::{Error, Result};
 use crate::flight::Flight;
 
-/// Beyond so many frames neighbouring times are the same in 32 bits.
+/// Beyond this number of frames neighbouring times are equal in 32 bits.
 const MAX_KEYS: usize = 1 << 23;
 
 /// How far the square of the length of a key of a rotation may be from 1.
@@ -74,7 +74,7 @@ pub(super) struct Keys {
 /// How a node's place goes into the file.
 #[derive(Clone, Copy)]
 pub(super) struct Place {
-    /// Turns a root upright.
+    /// Rotates a root to the up axis.
     pub(super) turn: DQuat,
     pub(super) from: vides_engine::path::Up,
     pub(super) to: vides_engine::path::Up,

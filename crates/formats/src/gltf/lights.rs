@@ -24,7 +24,7 @@ fn intensity(values: &Values) -> [f32; 1] {
     [(values.intensity * brightness(values)).min(f64::from(f32::MAX)) as f32]
 }
 
-/// Inner and outer, in radians; equal ones are none to others.
+/// Inner and outer, in radians; other programs refuse equal ones.
 fn cone(values: &Values) -> [f32; 2] {
     let [inner, outer] = values.cone.map(|degrees| degrees.to_radians() as f32);
     let outer = outer.clamp(WIDER, std::f32::consts::FRAC_PI_2);

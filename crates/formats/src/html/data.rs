@@ -32,7 +32,7 @@ fn open(value: &Value) -> Vec<u8> {
     text
 }
 
-/// Writes the flight, and tells what the page does not show.
+/// Writes the flight, and reports what the page does not show.
 pub(super) fn write(
     flight: &mut Flight<'_>,
     out: &mut dyn Write,

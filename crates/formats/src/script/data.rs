@@ -123,7 +123,7 @@ pub(super) fn push_frame(text: &mut Vec<u8>, index: usize, numbers: &[f64]) {
     let _ = write!(text, "{comma}\n{numbers:?}");
 }
 
-/// What comes behind the frames.
+/// What follows the frames.
 pub(super) fn finish(script: &'static str, out: &mut dyn Write) -> Result<()> {
     let end = ["\n]\n}", around(script)[1]].concat();
     out.write_all(end.as_bytes()).map_err(blocks::failed)

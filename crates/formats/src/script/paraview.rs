@@ -29,7 +29,7 @@ const OTHERS: [(&str, &str); 2] = [
     ("vtk", "\"\"\"A camera flight for VTK"),
 ];
 
-/// Shares of the space's half size nearer than which nothing is focused.
+/// Shares of the space's `half_size` nearer than which nothing is focused.
 const NEAREST: f64 = 1e-6;
 
 pub(crate) static PARAVIEW: Format = Format {
@@ -101,7 +101,7 @@ struct Framed {
 
 /// What the camera looks at.
 struct Focus {
-    /// Frames of the keys of a path and what they look at; a relative target is none.
+    /// Frames of the keys of a path and what they look at; a relative target does not count.
     targets: Vec<(f64, Option<DVec3>)>,
     /// The node that the camera aims at.
     aim: Option<usize>,

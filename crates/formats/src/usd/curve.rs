@@ -75,7 +75,7 @@ impl Curve {
         self.values.chunks_exact_mut(self.width).for_each(change);
     }
 
-    /// Leaves only the keys of a step, if it is one as we write it: each value is told again just
+    /// Leaves only the keys of a step, if it is one as we write it: each value is repeated just
     /// before the next.
     fn as_step(&mut self) -> bool {
         let value = |at: usize| &self.values[at * self.width..][..self.width];
@@ -170,7 +170,7 @@ impl<'a> Stage<'a> {
         Ok(())
     }
 
-    /// A curve of so many numbers a value; none without an attribute, or one that says `None`.
+    /// A curve of `width` numbers a value; none without an attribute, or one that says `None`.
     ///
     /// # Errors
     /// [`Wanted::Numbers`], [`Cause::Order`], those of [`Lexer::numbers`].

@@ -216,7 +216,7 @@ impl<'a> Lexer<'a> {
     /// Passes over a value.
     ///
     /// # Errors
-    /// [`Cause::Deep`], [`Cause::End`]; [`Wanted::Value`] if there is none, or brackets that do not
+    /// [`Cause::Deep`], [`Cause::End`]; [`Wanted::Value`] if it is missing, or brackets that do not
     /// match.
     pub(super) fn skip_value(&mut self) -> Result<()> {
         let before = *self;
@@ -361,7 +361,7 @@ pub(super) fn unescaped(text: &str) -> String {
     out
 }
 
-/// A sign by its number: at most so many digits behind a first one.
+/// A character by its code: at most `most` digits after the first.
 fn code(signs: &mut Peekable<Chars<'_>>, most: usize, radix: u32, first: u32) -> char {
     let mut code = first;
     for _ in 0..most {

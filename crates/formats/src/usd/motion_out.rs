@@ -14,7 +14,7 @@ use crate::convention::{HALF_TURN, rolled};
 use crate::error::Result;
 use crate::flight::succeeded;
 
-/// How long before a key of a step the value before it is told again, in frames: between the two
+/// How long before a key of a step the value before it is repeated, in frames: between the two
 /// the file goes from one to the other.
 pub(super) const JUST_BEFORE: f64 = 1e-6;
 

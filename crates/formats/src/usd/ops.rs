@@ -44,7 +44,7 @@ pub(super) struct Placed {
     pub(super) scale: Option<Curve>,
     /// Whether it lies in the world, whatever it is in.
     pub(super) in_world: bool,
-    /// Whether keys were computed anew, so that between them it is another way.
+    /// Whether keys were recomputed, so that the motion between them differs.
     pub(super) sampled: bool,
     /// Whether it shears, which is left out.
     pub(super) sheared: bool,

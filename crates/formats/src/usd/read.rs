@@ -150,7 +150,7 @@ pub(super) struct Reader<'s, 'a> {
 /// What of a prim's children becomes the prim itself.
 #[derive(Clone, Copy, PartialEq)]
 enum Sole {
-    /// There is none.
+    /// Missing.
     None,
     /// The only child, by its number.
     One(usize),
@@ -162,7 +162,7 @@ enum Sole {
 #[derive(Clone, Copy, PartialEq)]
 enum Type {
     Place,
-    /// Holds others, and has no place of its own.
+    /// Holds others, without a transform.
     Scope,
     Camera,
     Light(Light),

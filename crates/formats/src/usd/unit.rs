@@ -23,7 +23,7 @@ pub(super) fn metres(name: &str) -> Option<f64> {
     known.map(|(_, metres)| *metres)
 }
 
-/// The usual name of a unit of so many metres, else the metres.
+/// The usual name of a unit of this length, otherwise the metres.
 pub(super) fn name(metres: f64) -> String {
     let near = |known: &f64| (metres / known - 1.0).abs() < 1e-6;
     match UNITS.iter().find(|(_, known)| near(known)) {

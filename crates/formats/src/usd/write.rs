@@ -31,7 +31,7 @@ pub(super) use put;
 enum Stand {
     /// Nothing above it scales: at its place, alone.
     Alone,
-    /// The same with others in it: on a prim of its own in the node's.
+    /// The same with others in it: on a separate prim in the node's.
     Within,
     /// Something scales: at the top, frame by frame.
     Top,

@@ -42,7 +42,7 @@ const MOST: usize = 4;
 const ABOVE: f32 = 10.0;
 const AXES: Vec2 = vec2(220.0, 88.0);
 
-/// Moves and tools that are offered, those that there are.
+/// The moves and tools that are offered.
 const TOOLS: [&str; 4] = ["orbit", "flyby", "draw", "tour"];
 
 /// A way to begin.

@@ -30,7 +30,7 @@ impl Around {
         (!object.is_empty()).then_some(Self(object.clone(), path.ok()?))
     }
 
-    /// The object, with what a tool would make by itself.
+    /// The object, with what a tool would make without settings.
     fn picture(&self, name: &str, go_on: Progress<'_>) -> Result<Option<Picture>> {
         let info = Info {
             object: self.0.clone(),
@@ -67,7 +67,7 @@ pub(super) fn pictures(around: Around, go_on: Progress<'_>) -> Vec<Option<Pictur
     pictures.collect()
 }
 
-/// A small sign of a beginning around `at`; a camera is so far on its way.
+/// A small sign of a beginning around `at`; a camera is at a fraction of the path.
 pub(super) fn paint(painter: &Painter, begin: Begin, at: Pos2, color: Color32, way: Option<f32>) {
     let stroke = Stroke::new(1.5, color);
     let line = |points: &[[f32; 2]]| {

@@ -1,4 +1,4 @@
-//! What of the markers is held or named anew.
+//! Markers that are dragged or renamed.
 
 use crate::state::playing::tracks::Way;
 
@@ -13,7 +13,7 @@ pub(crate) struct Memory {
 #[derive(Debug)]
 pub(crate) struct Drag {
     pub name: String,
-    /// The scene's frames at which it stood, and to which it shall go.
+    /// The scene's frames from which and to which it moves.
     pub(crate) from: f64,
     pub(crate) to: f64,
     pub(crate) way: Way,

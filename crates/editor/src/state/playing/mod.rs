@@ -59,7 +59,7 @@ pub(crate) struct Between {
 pub(crate) enum Retiming {
     /// As it was when the drag began.
     Nothing,
-    /// The section before it gets so many frames more, the one behind it so many fewer; without
+    /// Moves this number of frames from the section after it to the one before it; without
     /// one, all behind it moves along.
     Move {
         before: (Selection, usize),
@@ -80,7 +80,7 @@ pub(crate) struct Playing {
     pub(crate) ordered: Option<bool>,
     /// The playhead was moved by hand.
     pub(crate) scrubbed: bool,
-    /// Begins anew at the end.
+    /// Starts over at the end.
     pub(crate) loops: bool,
     pub(crate) pace: Pace,
     /// The frame before a number of the bar was dragged.

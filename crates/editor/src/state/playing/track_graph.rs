@@ -15,7 +15,7 @@ use crate::state::space::Joint;
 pub(crate) struct Memory {
     /// The tracks that are to be seen; none: those with selected keys, else the first one.
     pub(crate) chosen: Vec<(usize, Channel)>,
-    /// Of the selected keys; of one that is not there all its numbers are.
+    /// Of the selected keys; a key that is missing here has all its numbers selected.
     pub(crate) parts: Parts,
     pub(crate) joints: Joints,
     pub(crate) held: Held,
@@ -50,7 +50,7 @@ pub(crate) enum Held {
     },
 }
 
-/// What numbers of keys do with one tangent while the other is dragged, as it was chosen.
+/// What keys do with one tangent while the user drags the opposite one.
 pub(crate) type Joints = BTreeMap<PartOf, Joint>;
 
 /// Numbers of keys that are dragged.

@@ -103,7 +103,7 @@ pub(crate) enum Numbers {
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Change {
-    /// By so many frames.
+    /// By this number of frames.
     By(f64),
     /// The one at `from` goes to `to`, and all others along with it as that at `about` stays.
     Scale { about: f64, from: f64, to: f64 },

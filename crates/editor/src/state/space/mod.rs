@@ -19,7 +19,7 @@ use crate::space::scene::{LookKey, PathLines};
 use crate::space::typed::Typed;
 use crate::state::space::solid::Solid;
 
-/// What the tangent on one side does while the other is dragged.
+/// What one tangent does while the user drags the opposite one.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum Joint {
     /// It turns along and keeps its length.
@@ -228,7 +228,7 @@ pub(crate) struct PointerController {
     pub(crate) clicked: Option<(Pos2, bool)>,
 }
 
-/// The object that is loaded, and the path that would be begun anew.
+/// The object that is loaded, and the new path that would look at it.
 #[derive(Clone, Debug)]
 pub(crate) struct Around(pub(crate) Object, pub(crate) CameraPath);
 

@@ -22,7 +22,7 @@ use vides_document::Document;
 use vides_engine::limits::PRESETS;
 use vides_engine::path::{Target, Tcb};
 
-/// Widths in points: the presets; beside them a label and three numbers, narrower if cramped.
+/// Widths in points: the presets; a label and three numbers, narrower if cramped.
 const LIST: f32 = 136.0;
 const LABEL: f32 = 78.0;
 const NUMBER: f32 = 82.0;
@@ -426,7 +426,7 @@ fn number(ui: &Ui) -> f32 {
     }
 }
 
-/// Width of what stands beside the list.
+/// Width of the part right of the list.
 fn rest(ui: &Ui) -> f32 {
     LABEL + 3.0 * (number(ui) + theme::GAP)
 }

@@ -258,7 +258,7 @@ impl Belonging {
         (self.state, self.newest) = (u64::MAX, u64::MAX);
     }
 
-    /// Brings it up to date; tells whether what it belonged to is gone.
+    /// Brings it up to date; returns why it was discarded, if so.
     pub(crate) fn follow(&mut self, document: &Document) -> Option<GivenUp> {
         let mut now = Self::of(document);
         if self.newest != u64::MAX {

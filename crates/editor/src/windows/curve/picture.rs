@@ -16,7 +16,7 @@ const SIDE: usize = 2;
 /// Straight pieces of each segment.
 const PIECES: usize = 24;
 
-/// The neighbourhood of the current point as a path of its own.
+/// The neighbourhood of the current point as a separate path.
 struct Around {
     path: CameraPath,
     current: usize,

@@ -21,7 +21,7 @@ const NEAR: f32 = 10.0;
 /// How far apart dragged keys stay, in time and in way.
 const APART: f64 = 0.002;
 
-/// A way is sampled after so many equal parts of the time: as few as come this near it everywhere,
+/// How many equal parts of the time a way is sampled at: as few as come this near it everywhere,
 /// in shares of the way.
 const PARTS: [usize; 8] = [1, 2, 3, 4, 6, 9, 12, 18];
 const NEAR_IT: f64 = 0.002;

@@ -82,7 +82,7 @@ pub(super) fn corners(
     }
 }
 
-/// Another share of the time, as far as the other one leaves room.
+/// Another share of the time, limited by that of the opposite end.
 fn set(pace: &mut Pace, part: Part, share: f64) {
     if let Pace::Ease(ease) = pace {
         let room = 1.0 - (ease.rise + ease.fall - *part(ease));

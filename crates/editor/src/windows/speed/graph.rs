@@ -235,7 +235,7 @@ pub(super) struct Handle<'a> {
     pub(super) place: Rect,
     pub(super) name: &'a str,
     pub(super) value: f64,
-    /// Stands beside it while it is used.
+    /// Shown next to it while it is used.
     pub(super) words: String,
     /// They stand at its left, since it lies on a rising curve.
     pub(super) rises: bool,

@@ -1,4 +1,4 @@
-//! Ready paces that join the sections beside them: a section ends as fast as the next goes on. No
+//! Preset paces that join the neighbouring sections: a section ends as fast as the next goes on. No
 //! egui here.
 
 use vides_document::{Document, Selection};
@@ -14,7 +14,7 @@ const ENOUGH: f64 = 0.06;
 /// As far as the rounding of frames moves a speed, it is that of the neighbour's square.
 const ROUNDING: f64 = 0.05;
 
-/// A section as it would be with other speeds beside it.
+/// A section as it would be with other speeds around it.
 struct Beside<'a> {
     orientation: &'a Orientation,
     facing: [Option<f64>; 2],
@@ -69,7 +69,7 @@ fn neighbours(timeline: &Timeline, number: usize, closed: bool) -> [Option<usize
     ]
 }
 
-/// What lies beside a section.
+/// The neighbours of a section.
 fn beside<'a>(path: &'a CameraPath, timeline: &Timeline, number: usize) -> [Neighbour<'a>; 2] {
     let change = timeline.section(number).change;
     let [before, after] = neighbours(timeline, number, path.closed);
@@ -116,7 +116,7 @@ pub(super) fn ready(document: &Document, at: Selection, shape: Shape) -> Option<
     }
 }
 
-/// How fast the camera passes a key where it slows down, in shares of the slower mean beside it.
+/// How fast the camera passes a key where it slows down, in shares of the slower neighbouring mean.
 const SLOW: f64 = 0.25;
 
 /// Two sections, each by the view with which it begins, and their ten speeds.
@@ -340,7 +340,7 @@ mod tests {
     }
 
     /// By differences of poses a tenth of a frame apart: at the key the camera has a quarter of the
-    /// slower mean beside it, from both sides, and is slower nowhere near.
+    /// slower neighbouring mean, from both sides, and is slower nowhere near.
     #[test]
     fn slowing_down_at_a_key_has_no_jerk() {
         let mut random = Random(29);

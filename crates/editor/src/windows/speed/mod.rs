@@ -32,7 +32,7 @@ use vides_document::{At, Edit, Info};
 use vides_engine::limits::{MAX_FPS, MAX_FRAMES};
 use vides_engine::path::{BaseFrames, Pace};
 
-/// Least width of what stands beside the picture, and the gap.
+/// Minimum width of the part right of the picture, and the gap.
 const BESIDE: f32 = 236.0;
 const APART: f32 = 16.0;
 

@@ -177,8 +177,8 @@ mod tests {
         }
     }
 
-    /// Ends join what goes on beside them, the slow part lies within; where the camera stands
-    /// still beside it the section is as slow as can be.
+    /// Ends join the neighbouring speeds, the slow part is within; where the camera rests
+    /// next to it, the section is as slow as possible.
     #[test]
     fn ends_join_their_neighbours_and_nothing_dips_below_the_slow_one() {
         for shape in [Shape::EaseIn, Shape::EaseOut, Shape::Both] {

@@ -16,7 +16,7 @@ use crate::theme;
 use crate::windows::speed::section::{SCALE, Section, Size, entered};
 use crate::windows::sub_window::row_at_right;
 
-/// Rounded to so many parts of one, a value stays as it is.
+/// Rounding to this fraction of one leaves a value unchanged.
 const EXACT: f64 = 1e9;
 
 /// Squares to be dragged: on the speed one for each; on the way one for each but the outermost; on

@@ -69,7 +69,7 @@ impl Field<'_> {
         self.watch.goes_on() && self.object.is_crossed(a, b)
     }
 
-    /// Whether a straight line keeps a distance, but for a few hundredths of it.
+    /// Whether a straight line keeps a distance, except for a few hundredths of it.
     pub(super) fn is_free(&self, a: DVec3, b: DVec3, need: f64) -> bool {
         let length = a.distance(b);
         let floor = (LINE * need).max(PARTS[0] * length);

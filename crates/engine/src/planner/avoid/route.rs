@@ -85,7 +85,7 @@ impl Grid {
 
 impl Router<'_> {
     /// A taut way that keeps `clear`, at its ends as far as they have it. `around` is a box that it
-    /// will not have to leave by far. None if there is none on the finest grid.
+    /// will not have to leave by far. None if the finest grid has no route.
     pub(super) fn way(
         &self,
         [from, to]: [DVec3; 2],

@@ -40,7 +40,7 @@ const TURNED: f64 = 0.999;
 /// The share of the way to a target that the camera may go.
 const TO_TARGET: f64 = 0.95;
 
-/// The least way between two points, in half sizes.
+/// The least distance between two points, in units of `half_size`.
 const STEP: f64 = 1e-6;
 
 /// Angle between the ways before and behind a point from which it is a corner, in radians.

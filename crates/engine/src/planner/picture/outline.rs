@@ -2,7 +2,7 @@
 //! corners alone, since those of large triangles would all overlap.
 //!
 //! In a picture the share x/d of a corner beside and before the camera is greatest at a corner of
-//! the convex hull; a box of the tree is opened only if one of its own corners reaches further than
+//! the convex hull; a box of the tree is opened only if one of its corners reaches further than
 //! what was found. From place to place of a flight the outermost corners are mostly the same, so
 //! they are tried first.
 

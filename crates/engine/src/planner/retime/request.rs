@@ -16,12 +16,12 @@ pub struct Request {
     pub fps: f64,
     /// From the first orientation of one point to the last of another; none: all.
     pub points: Option<[usize; 2]>,
-    /// Exactly so many seconds, holds included; 0: as few as the limits allow. A path's seconds are
+    /// The duration in seconds, holds included; 0: as few as the limits allow. A path's seconds are
     /// those of its poses: where it ends, its last pose has a frame, too.
     pub seconds: f64,
 }
 
-/// A place where the pace rests though nobody asked for it.
+/// A place where the pace rests without a hold.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Rest {
     /// The point.

@@ -1,6 +1,6 @@
 //! The fewest pictures that show a share of a surface: always the one that adds most (within ln n
 //! of the best: Feige 1998), then those go that the others make needless. Gains only fall, so one
-//! that still leads after it is counted anew is the greatest (Minoux 1978).
+//! that still leads after a recount is the greatest (Minoux 1978).
 
 use super::seen::{Set, members};
 use crate::error::{Result, vec_with_room};

@@ -22,7 +22,7 @@ const INSIDE: usize = 40;
 /// Directions of views from a place in an object: how many round, and how steep, in degrees.
 const VIEWS: [(u32, f64); 3] = [(8, 0.0), (6, 42.0), (6, -42.0)];
 
-/// A place is inside if of so many rays so many meet the object.
+/// How many rays are cast from a place, and how many must meet the object if it is inside.
 const RAYS: [usize; 2] = [64, 46];
 
 /// A view that may become part of a tour.
@@ -86,7 +86,7 @@ fn scaled(count: usize, by: f64) -> usize {
     (count as f64 * by) as usize
 }
 
-/// The place on the line from a start to a target that is so far from the object, found in steps
+/// The place on the line from a start to a target at a distance from the object, found in steps
 /// that go nowhere nearer (sphere tracing: Hart 1996).
 fn at_distance(object: &Clearance, start: DVec3, target: DVec3, far: f64) -> Option<DVec3> {
     let way = (target - start).try_normalize()?;

@@ -22,7 +22,7 @@ pub struct TourRequest {
     pub inside: bool,
     /// Where the flight begins; none: it is a closed round.
     pub start: Option<DVec3>,
-    /// What stands upright.
+    /// The up axis.
     pub up: Up,
     /// The space of the path, if that holds the flight; none: the smallest round flight and object.
     pub space: Option<Space>,

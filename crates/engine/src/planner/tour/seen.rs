@@ -182,7 +182,7 @@ pub(super) fn members(set: &Set) -> impl Iterator<Item = usize> + '_ {
     })
 }
 
-/// Whether triangles with a common edge go along it in opposite directions, nearly all of them.
+/// Whether nearly all triangles with a common edge follow it in opposite directions.
 /// Corners at one place are one. And whether each has two such triangles.
 #[allow(clippy::cast_possible_truncation)] // a mesh has fewer than 2³² points
 fn sides(mesh: &Mesh) -> Result<(bool, bool)> {
