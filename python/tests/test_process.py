@@ -175,7 +175,7 @@ def test_a_callback_follows_and_ends_what_is_planned() -> None:
         shares.append(share)
         assert path.frame_count == 20_000  # the path can be read meanwhile
         if len(shares) == 3:
-            raise StopIteration
+            raise InterruptedError
 
     # Longer each time, until there is time for three calls.
     for period in range(2, 200):
@@ -183,7 +183,7 @@ def test_a_callback_follows_and_ends_what_is_planned() -> None:
         try:
             with vides.progress(follow):
                 path.steady(period)
-        except StopIteration:
+        except InterruptedError:
             break
         path = before.copy()
     assert len(shares) == 3 and all(0 <= share <= 1 for share in shares)
@@ -191,6 +191,10 @@ def test_a_callback_follows_and_ends_what_is_planned() -> None:
     shares.clear()
     path.steady(3)
     assert shares == []
+    # A check of millions of frames takes a second.
+    long = vides.Path(np.random.default_rng(1).uniform(-1, 1, (400, 3)), look_at=(0, 0, 0), frames=8_000_000)
+    with pytest.raises(InterruptedError), vides.progress(follow):
+        long.check()
 
 
 def test_a_path_that_changes_while_it_is_planned_keeps_its_change() -> None:
