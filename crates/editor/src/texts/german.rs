@@ -256,18 +256,11 @@ german! {
         NoWay => "die Kamera bewegt sich nicht";
         SteadyBound(within) => "im Abstand von {} vom Flug wurde kein ruhiger Pfad aus ganzen Bildern gefunden", within;
         Cancelled => "es wurde abgebrochen";
-        TooFewPoses => "eine Anpassung braucht mindestens drei Posen";
-        PoseTimes => "die Zeiten der Posen müssen wachsen, eine für jede";
-        SamePoses => "alle Posen sind gleich";
-        WithinTolerance => "die Posen unterscheiden sich um nicht mehr als die Toleranz: eine kleinere macht einen Pfad daraus";
+        TooFewPoses => "eine Anpassung braucht mindestens zwei Posen";
+        PoseTimes => "jede Pose braucht eine Zeit, und Zeiten dürfen nicht rückwärts laufen";
         Outliers { off, all } =>
             "{} von {} Posen weichen von dem ab, was die um sie herum sagen: zu viele, um sie \
              auszulassen; eine größere Toleranz, oder eine Anpassung, die allen folgt", off, all;
-        PoseMissed(times) =>
-            "kein Pfad, dessen Punkte bei ganzen Bildern liegen, trifft sie innerhalb der \
-             Toleranz (verfehlt um das {}-Fache): Eine größere Toleranz hilft, oder eine robuste \
-             Näherung, die einzelne abweichende Posen auslässt",
-            number((times * 10.0).round() / 10.0);
         NoCheck(name) => "die Prüfung „{name}“ gibt es nicht; bekannt sind: {}",
             List(FindingKind::all().map(FindingKind::name));
         LimitNan(name) => "die Grenze von {name} muss eine Zahl sein, oder unendlich, wo nichts gesucht \

@@ -375,29 +375,15 @@ pub enum Invalid {
     SteadyBound(f64),
     #[error("it was cancelled")]
     Cancelled,
-    #[error("a fit needs at least three poses")]
+    #[error("a fit needs at least two poses")]
     TooFewPoses,
-    #[error("the times of the poses must increase, one for each")]
+    #[error("each pose needs a time, and times must not run backwards")]
     PoseTimes,
-    #[error("all poses are the same")]
-    SamePoses,
-    #[error(
-        "the poses do not differ by more than the tolerance: a smaller one makes a path of them"
-    )]
-    WithinTolerance,
     #[error(
         "{off} of {all} poses are off from what those around them say: too many to leave them out; \
          a larger tolerance, or a fit that follows all poses"
     )]
     Outliers { off: usize, all: usize },
-    /// By how many times the tolerance it is missed.
-    #[error(
-        "no path whose points stand at whole frames passes it within the tolerance (it is \
-         missed by {0:.1} times that): use a larger tolerance, or a robust fit{robust}, which \
-         leaves out single poses that are off",
-        robust = Called("", " (v_path_fit_poses_robust())")
-    )]
-    PoseMissed(f64),
     #[error(
         "there is no check \"{}\"; known: {}",
         .0, List(FindingKind::all().map(FindingKind::name))

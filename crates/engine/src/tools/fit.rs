@@ -8,22 +8,30 @@
 
 mod corners;
 mod joins;
+mod measure;
 mod motion;
 mod pace;
 mod piece;
+mod recording;
+mod report;
+mod time_unit;
 mod whole;
 
-use glam::{DMat3, DQuat, DVec3};
+pub use report::{Deviation, Report};
+pub use time_unit::TimeUnit;
 
-use crate::error::{Error, Invalid, OutOfRange, Place, Result, TooMany, vec_with_room};
-use crate::limits::{MAX_FPS, MAX_FRAMES, MAX_POINTS};
+use glam::{DQuat, DVec3};
+
+use report::Measured;
+
+use crate::error::{Error, Invalid, OutOfRange, Result, TooMany, vec_with_room};
+use crate::limits::{MAX_HOLD, MAX_POINTS};
 use crate::math::orientation::{quaternion_from_view, roll_from_up, view_from_quaternion};
 use crate::math::quaternion::{angle, continue_sign};
-use crate::path::camera_path::{check_coordinates, check_zoom};
 use crate::path::hermite::Cubic;
 use crate::path::{
-    CameraPath, Orientation, OrientationOverrides, Pace, Pose, Sampler, Space, SupportPoint,
-    Tangents, Target, Timeline, Up, Velocities,
+    CameraPath, Orientation, OrientationOverrides, Pace, Pose, Space, SupportPoint, Tangents,
+    Target, Up, Velocities,
 };
 
 /// A pose missed by no more than so many times the tolerance counts as met.
@@ -85,15 +93,23 @@ pub struct Fitted {
     pub path: CameraPath,
     /// Indices of the poses that a robust fit did not look at.
     pub left_out: Vec<usize>,
+    /// How well it follows them, and what was found in them.
+    pub report: Report,
 }
 
 /// Called now and then with the poses done and all of them; false ends the work.
 pub type Progress<'a> = &'a mut dyn FnMut(usize, usize) -> bool;
 
 struct Data {
-    /// In frames from the first.
+    /// In frames from the first; those near a whole frame stand at it.
     times: Vec<f64>,
+    /// One for each time. Where the recording ends between frames, the last one is none of its
+    /// poses but what it is on its way to at the next frame.
     raw: Vec<Sample>,
+    /// Which pose of the recording each is: poses at equal times are dropped.
+    numbers: Vec<usize>,
+    /// Of the times of the recording, if they are no seconds.
+    unit: Option<TimeUnit>,
     /// Which of them do not count.
     left_out: Vec<bool>,
     tolerance: f64,
@@ -149,12 +165,15 @@ struct Joint {
     bend: DVec3,
 }
 
-/// A path that passes all poses within a tolerance at their times: increasing `seconds`, or one a
-/// frame. Its points stand at whole frames; poses that move too much between them are refused.
+/// A path that passes all poses within a tolerance at their times: non-decreasing `seconds`, or one
+/// pose a frame. Its points stand at whole frames, so poses between them may be missed, where the
+/// camera jerks from one to the next; the report has by how much. Of poses at equal times the first
+/// counts.
 ///
 /// # Errors
-/// [`crate::Error::Argument`] or [`crate::Error::Range`] for too few or bad poses, a bad tolerance
-/// or space, and where `progress` ends it; [`crate::Error::Limit`], [`crate::Error::Memory`].
+/// [`crate::Error::Argument`] or [`crate::Error::Range`] for fewer than two poses, for numbers that
+/// are not finite, times that run backwards, a bad tolerance or space, and where `progress` ends
+/// it; [`crate::Error::Limit`], [`crate::Error::Memory`].
 pub fn fit(
     poses: &[Pose],
     seconds: Option<&[f64]>,
@@ -166,22 +185,118 @@ pub fn fit(
     if options.robust {
         data.leave_out()?;
     }
-    let mut path = data.fitted(false, progress)?;
-    if data.worst(&path)?.is_some() {
-        path = data.fitted(true, progress)?;
-        if let Some((at, times)) = data.worst(&path)? {
-            return Err(Error::from(Invalid::PoseMissed(times)).at(Place::Pose(at)));
-        }
-    }
-    let all = || (0..poses.len()).filter(|k| data.left_out[*k]);
-    let mut left_out = vec_with_room(all().count())?;
-    left_out.extend(all());
-    Ok(Fitted { path, left_out })
+    let (path, measured) = data.best(progress)?;
+    let outliers = data.outliers();
+    let mut left_out = vec_with_room(outliers.clone().count())?;
+    left_out.extend(outliers);
+    let report = data.report(&path, &measured, poses.len())?;
+    Ok(Fitted {
+        path,
+        left_out,
+        report,
+    })
+}
+
+/// One point for so many poses is few enough.
+const FEW: usize = 6;
+
+/// What is tried in turn until there are few enough points, with such a share of the tolerance: a
+/// smaller one may need fewer points.
+const TRIES: [(Follow, f64); 5] = [
+    (Follow::Smoothly, 1.0),
+    (Follow::Smoothly, 0.5),
+    (Follow::Smoothly, 0.2),
+    (Follow::Exactly, 1.0),
+    (Follow::ByPoints, 1.0),
+];
+
+/// How closely a path follows its poses.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Follow {
+    /// Without their noise.
+    Smoothly,
+    /// Through each at a whole frame.
+    Exactly,
+    /// With points at the poses only.
+    ByPoints,
 }
 
 impl Data {
-    /// `exact`: with the noise left in.
-    fn fitted(&self, exact: bool, progress: Progress<'_>) -> Result<CameraPath> {
+    /// The path of fewest points that meets all poses, else the one that misses them least.
+    fn best(&mut self, progress: Progress<'_>) -> Result<(CameraPath, Measured)> {
+        if self.stands() {
+            let path = self.standing(self.times[self.times.len() - 1])?;
+            let measured = self.measured(&path)?;
+            return Ok((path, measured));
+        }
+        let mut best: Option<(CameraPath, Measured)> = None;
+        for (follow, share) in TRIES {
+            let met = best.as_ref().filter(|best| best.1.worst <= WITHIN);
+            let enough = |path: &CameraPath| FEW * path.points.len() <= self.poses();
+            if met.is_some_and(|(path, _)| follow != Follow::Smoothly || enough(path)) {
+                break;
+            }
+            let [tolerance, angle] = [self.tolerance, self.angle];
+            (self.tolerance, self.angle) = (share * tolerance, share * angle);
+            let path = self.fitted(follow, progress);
+            (self.tolerance, self.angle) = (tolerance, angle);
+            let path = path?;
+            if path.points.len() > self.poses() && follow != Follow::ByPoints {
+                continue;
+            }
+            let measured = self.measured(&path)?;
+            let key = |path: &CameraPath, measured: &Measured| {
+                (measured.worst.max(WITHIN), path.points.len())
+            };
+            if best
+                .as_ref()
+                .is_none_or(|best| key(&path, &measured) < key(&best.0, &best.1))
+            {
+                best = Some((path, measured));
+            }
+        }
+        best.ok_or_else(|| Invalid::TooFewPoses.into())
+    }
+
+    /// Two equal points, as a path has at least two.
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+    fn standing(&self, frames: f64) -> Result<CameraPath> {
+        let start = self.raw[0];
+        // The hold of the last point counts.
+        let hold = frames.min(f64::from(MAX_HOLD)) as u32;
+        let mut path = CameraPath::try_new()?;
+        let points = [
+            self.point(&start, 0, [None; 2])?,
+            self.point(&start, hold, [None; 2])?,
+        ];
+        path.points = points.to_vec().into();
+        path.space = self.space;
+        path.check()?;
+        println!(
+            "STAND {frames} {:?}",
+            crate::path::Timeline::new(&path)?.frame_count()
+        );
+        Ok(path)
+    }
+
+    /// Whether all poses are one within the tolerance.
+    fn stands(&self) -> bool {
+        let start = self.raw[0];
+        self.raw.iter().all(|sample| {
+            sample.position.distance(start.position) <= self.tolerance
+                && start.off(sample.turn, sample.zoom) <= self.angle
+        })
+    }
+
+    const fn joint(&self, sample: Sample) -> Joint {
+        Joint {
+            sample,
+            zoom_slope: None,
+            bend: DVec3::ZERO,
+        }
+    }
+
+    fn fitted(&self, follow: Follow, progress: Progress<'_>) -> Result<CameraPath> {
         let last = self.raw.len() - 1;
         let mut go_on = |done: usize| {
             if progress(done, last) {
@@ -189,22 +304,26 @@ impl Data {
             }
             Err(Error::from(Invalid::Cancelled))
         };
+        let exact = follow != Follow::Smoothly;
         let motion = self.motion(exact, &mut || go_on(0))?;
         let mut pieces: Vec<Piece> = Vec::new();
-        let mut joint = Joint {
-            sample: motion.stretches[0].at(0.0).sample,
-            zoom_slope: None,
-            bend: DVec3::ZERO,
-        };
+        let mut joint = self.joint(motion.stretches[0].at(0.0).sample);
         let (mut number, mut moving) = (0, 0);
         while number < motion.parts.len() {
-            let (over, mut whole) = self.over_corners(&motion, number, joint, exact)?;
+            let (over, mut whole) = match follow {
+                Follow::ByPoints => (1, None),
+                _ => self.over_corners(&motion, number, joint, exact)?,
+            };
             let stretch = &motion.stretches[number];
-            let [begin, end] = [stretch.first, stretch.last].map(|k| self.times[k].round());
+            let [begin, end] = stretch.frames;
             let (mut at, mut guess) = (begin, 8.0);
             while at < end {
                 let mut piece = match whole.take() {
                     Some(piece) => piece,
+                    None if follow == Follow::ByPoints => {
+                        let next = self.next_pose(at).min(end);
+                        self.to_next_pose(stretch, [at, next], joint)?
+                    }
                     None => self.longest(stretch, motion.peaks, [begin, at, end], joint, guess)?,
                 };
                 piece.corner = at == begin && number > 0 && motion.corner(number - 1);
@@ -229,91 +348,6 @@ impl Data {
         self.path(&pieces, joint.sample)
     }
 
-    /// The pose that a path misses most, and by how many times the tolerance; none if it meets all.
-    fn worst(&self, path: &CameraPath) -> Result<Option<(usize, f64)>> {
-        let sampler = Sampler::new(path, &Timeline::new(path)?)?;
-        let last = sampler.frame_count() as f64;
-        let mut worst = (0, WITHIN);
-        for (at, (sample, time)) in self.raw.iter().zip(&self.times).enumerate() {
-            if self.left_out[at] {
-                continue;
-            }
-            let pose = sampler.pose((1.0 + time).clamp(1.0, last))?;
-            let far = DVec3::from_array(pose.vrp).distance(sample.position);
-            let turn = self.turn(pose.vpn.into(), pose.vup.into());
-            let off = sample.off(turn, pose.zoom);
-            let times = (far / self.tolerance).max(off / self.angle);
-            if times > worst.1 {
-                worst = (at, times);
-            }
-        }
-        Ok((worst.1 > WITHIN).then_some(worst))
-    }
-
-    fn new(poses: &[Pose], seconds: Option<&[f64]>, fps: f64, options: &Options) -> Result<Self> {
-        let tolerance = options.tolerance;
-        if !(fps > 0.0 && fps <= MAX_FPS) {
-            return Err(OutOfRange::Fps.into());
-        }
-        tolerance.check()?;
-        if poses.len() < 3 {
-            return Err(Invalid::TooFewPoses.into());
-        }
-        let mut times = vec_with_room(poses.len())?;
-        match seconds {
-            None => times.extend((0..poses.len()).map(|k| k as f64)),
-            Some(seconds) => {
-                times.extend(seconds.iter().map(|when| (when - seconds[0]) * fps));
-                if times.len() != poses.len() || !times.windows(2).all(|pair| pair[1] > pair[0]) {
-                    return Err(Invalid::PoseTimes.into());
-                }
-            }
-        }
-        // Before any work: what follows goes through all frames.
-        let span = times.last().copied().unwrap_or(0.0);
-        if span >= MAX_FRAMES as f64 {
-            return Err(TooMany::PoseSpan(span).into());
-        }
-        let up = options.space.map_or(options.up, |space| space.up);
-        let mut raw: Vec<Sample> = vec_with_room(poses.len())?;
-        for (k, pose) in poses.iter().enumerate() {
-            let sample = sample(pose, up).map_err(|error| error.at(Place::Pose(k)))?;
-            let before = raw.last().map_or(sample.turn, |before| before.turn);
-            raw.push(Sample {
-                turn: continue_sign(before, sample.turn).0,
-                ..sample
-            });
-        }
-        let first = poses[0];
-        if poses.iter().all(|pose| *pose == first) {
-            return Err(Invalid::SamePoses.into());
-        }
-        let (start, angle) = (raw[0], tolerance.angle.to_radians());
-        let near = |sample: &Sample| {
-            sample.position.distance(start.position) <= tolerance.position
-                && start.off(sample.turn, sample.zoom) <= angle
-        };
-        if raw.iter().all(near) {
-            return Err(Invalid::WithinTolerance.into());
-        }
-        let space = match options.space {
-            Some(space) => space,
-            None => space_of(&raw, up)?,
-        };
-        space.check()?;
-        let mut left_out = vec_with_room(raw.len())?;
-        left_out.resize(raw.len(), false);
-        Ok(Self {
-            times,
-            raw,
-            left_out,
-            tolerance: tolerance.position,
-            angle,
-            fps,
-            space,
-        })
-    }
-
     /// View and up of the world as a quaternion in y-up axes.
     fn turn(&self, view: DVec3, up: DVec3) -> DQuat {
         let axes = self.space.up;
@@ -332,9 +366,6 @@ impl Data {
             (before, hold) = (Some(piece), 0);
         }
         points.push(self.point(&end, hold, [before, None])?);
-        if points.len() == 1 {
-            return Err(Invalid::WithinTolerance.into());
-        }
         let mut path = CameraPath::try_new()?;
         path.points = points.into();
         path.space = self.space;
@@ -391,47 +422,9 @@ impl Data {
     }
 }
 
-/// The smallest space round the positions, with a tenth to spare; where they are one, a cube of
-/// size 2 round it.
-fn space_of(samples: &[Sample], up: Up) -> Result<Space> {
-    let places = || samples.iter().map(|sample| sample.position);
-    let first = samples[0].position;
-    if places().any(|place| place != first) {
-        return Space::around(places(), up);
-    }
-    let centre = first;
-    Ok(Space {
-        centre,
-        up,
-        ..Space::default()
-    })
-}
-
 /// The vertical field of view (radians) of a picture 24 mm high.
 fn view_angle(zoom: f64) -> f64 {
     2.0 * (12.0 / zoom).atan()
-}
-
-/// A pose as a sample: finite, its view and up made to stand at right angles and in y-up axes.
-fn sample(pose: &Pose, axes: Up) -> Result<Sample> {
-    let [position, view, up] = [pose.vrp, pose.vpn, pose.vup].map(DVec3::from_array);
-    for v in [position, view, up] {
-        check_coordinates(v)?;
-    }
-    check_zoom(pose.zoom)?;
-    let unit = |v: DVec3| axes.upright(v).try_normalize();
-    let (Some(view), Some(up)) = (unit(view), unit(up)) else {
-        return Err(Invalid::LookZero.into());
-    };
-    let Some(side) = up.cross(view).try_normalize() else {
-        return Err(Invalid::UpParallel.into());
-    };
-    let up = DMat3::from_cols(side, view.cross(side), view).y_axis;
-    Ok(Sample {
-        position,
-        turn: quaternion_from_view(view, up),
-        zoom: pose.zoom,
-    })
 }
 
 #[cfg(test)]

@@ -7,7 +7,8 @@
 
 use crate::error::{Result, vec_with_room};
 
-/// Weights begin so light that bends within a thousand rows are taken out: (1000/2π)⁴.
+/// Weights begin so light that bends within a thousand rows, and a thousand frames, are taken out:
+/// (1000/2π)⁴.
 const LIGHT: f64 = 6e8;
 
 /// Rounds of weighing; what is missed after them is met exactly.
@@ -64,7 +65,8 @@ impl<const N: usize> Spline<N> {
         round: &mut dyn FnMut() -> Result<()>,
     ) -> Result<Self> {
         let spline = Self::straight(times, rows)?;
-        let light = LIGHT * spline.step().powi(3);
+        let step = spline.step();
+        let light = LIGHT * step.powi(3).max(1.0 / step);
         spline.weighed(rows, allowed, light, round)
     }
 
@@ -276,6 +278,11 @@ impl<const N: usize> Spline<N> {
     /// The value at a row's time.
     pub(crate) fn value(&self, row: usize) -> &[f64; N] {
         &self.values[row]
+    }
+
+    /// A row's time.
+    pub(crate) fn time(&self, row: usize) -> f64 {
+        self.times[row]
     }
 
     /// The second derivative at a row's time.

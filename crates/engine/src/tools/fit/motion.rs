@@ -12,7 +12,7 @@ use crate::tools::smooth::{Spline, noise};
 
 /// The shares of the tolerance that the splines may take, without noise and with much; the rest is
 /// for the pieces.
-const SHARES: [f64; 2] = [0.3, 0.85];
+const SHARES: [f64; 2] = [0.3, 0.95];
 
 /// So many standard deviations of the noise the splines may miss.
 const DEVIATIONS: f64 = 3.5;
@@ -20,8 +20,21 @@ const DEVIATIONS: f64 = 3.5;
 /// What moves by less than this share of the tolerance rests,
 const STILL: f64 = 1e-4;
 
-/// if it does for so many frames.
+/// if it does for so many frames,
 const REST: f64 = 12.0;
+
+/// or if it does not move at all for so many.
+const PAUSE: f64 = 4.0;
+
+/// What is equal but for rounding, in tolerances.
+const EQUAL: f64 = 1e-9;
+
+/// A motion is even whose acceleration would take more than 20 seconds to double its speed (per
+/// second): no share of it says what is smooth,
+const EVEN: f64 = 0.05;
+
+/// so instead a share of what doubles it in a tenth of a second does.
+const UNSEEN: f64 = 10.0;
 
 /// So many poses beyond its ends a stretch looks at.
 const LEAD: usize = 12;
@@ -36,7 +49,7 @@ const AGAIN: usize = 8;
 const MOST: usize = 4;
 
 /// What the camera does in a stretch.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Kind {
     Moves,
     /// Turns or zooms on the spot.
@@ -51,6 +64,8 @@ pub(super) struct Part {
     range: RangeInclusive<usize>,
     /// The pose where it stands, if it does.
     spot: usize,
+    /// The whole frames at its ends.
+    frames: [f64; 2],
 }
 
 /// What poses do, one after the other.
@@ -75,6 +90,8 @@ pub(super) struct Stretch {
     pub kind: Kind,
     pub first: usize,
     pub last: usize,
+    /// The whole frames at its ends.
+    pub frames: [f64; 2],
     /// So many poses before the first are among those of the splines.
     lead: usize,
     place: Spline<3>,
@@ -122,17 +139,25 @@ impl Stretch {
         }
     }
 
-    /// The greatest accelerations, of the position and on S³.
-    fn peaks(&self) -> [f64; 2] {
-        let mut peaks = [0.0_f64; 2];
-        for row in self.lead..=self.lead + self.last - self.first {
-            let turn = DVec4::from_array(*self.turn.value(row)).normalize();
+    /// The greatest speeds and accelerations, of the position and on S³.
+    fn peaks(&self) -> [[f64; 2]; 2] {
+        let [mut speeds, mut peaks] = [[0.0_f64; 2]; 2];
+        let rows = self.lead..=self.lead + self.last - self.first;
+        let place = |row: usize| DVec3::from_array(*self.place.value(row));
+        let turn = |row: usize| DVec4::from_array(*self.turn.value(row)).normalize();
+        for row in rows.clone() {
+            let turn = turn(row);
             let bend = DVec4::from_array(*self.turn.bend(row));
             let across = bend - turn * turn.dot(bend);
             let place = DVec3::from_array(*self.place.bend(row));
             peaks = [peaks[0].max(place.length()), peaks[1].max(across.length())];
         }
-        peaks
+        for row in rows.skip(1) {
+            let by = self.turn.time(row) - self.turn.time(row - 1);
+            speeds[0] = speeds[0].max(place(row).distance(place(row - 1)) / by);
+            speeds[1] = speeds[1].max(turn(row).distance(turn(row - 1)) / by);
+        }
+        [speeds, peaks]
     }
 }
 
@@ -154,7 +179,12 @@ impl Data {
                 for (rests, range) in self.runs(range, &view)? {
                     let kind = if rests { Kind::Rests } else { Kind::Turns };
                     parts.try_reserve(1)?;
-                    parts.push(Part { kind, range, spot });
+                    parts.push(Part {
+                        kind,
+                        range,
+                        spot,
+                        frames: [0.0; 2],
+                    });
                 }
                 continue;
             }
@@ -166,23 +196,50 @@ impl Data {
                     kind: Kind::Moves,
                     range: first..=end,
                     spot: first,
+                    frames: [0.0; 2],
                 });
                 first = end;
             }
         }
+        self.set_frames(&mut parts);
         let mut stretches = vec_with_room(parts.len())?;
-        let mut peaks = [0.0_f64; 2];
+        let mut most = [[0.0_f64; 2]; 2];
         for k in 0..parts.len() {
             let stretch = self.stretch(&parts, [k, k], exact, round)?;
-            let now = stretch.peaks();
-            peaks = [peaks[0].max(now[0]), peaks[1].max(now[1])];
+            for (most, now) in most
+                .iter_mut()
+                .flatten()
+                .zip(stretch.peaks().as_flattened())
+            {
+                *most = most.max(*now);
+            }
             stretches.push(stretch);
+        }
+        let [speeds, mut peaks] = most;
+        for (peak, speed) in peaks.iter_mut().zip(speeds) {
+            if *peak < EVEN * speed / self.fps {
+                *peak = UNSEEN * speed / self.fps;
+            }
         }
         Ok(Motion {
             parts,
             stretches,
             peaks,
         })
+    }
+
+    /// Where parts meet between frames, the one that moves less has no more than its whole frames.
+    fn set_frames(&self, parts: &mut [Part]) {
+        let mut begin = 0.0;
+        for k in 0..parts.len() {
+            let time = self.times[*parts[k].range.end()];
+            let still = parts
+                .get(k + 1)
+                .is_some_and(|next| next.kind > parts[k].kind);
+            let end = if still { time.ceil() } else { time.floor() };
+            parts[k].frames = [begin, end];
+            begin = end;
+        }
     }
 
     /// Runs of poses that stay within `STILL`, and what lies between; neighbours share their ends.
@@ -201,7 +258,9 @@ impl Data {
             let there = |k: &usize| !self.left_out[*k];
             let end = (at + 1..=last).take_while(still).filter(there).last();
             let end = end.unwrap_or(at);
-            if self.times[end].round() - self.times[at].round() >= REST {
+            let frames = self.times[end].floor() - self.times[at].ceil();
+            let equal = |k: usize| apart(&self.raw[at], &self.raw[k]) <= EQUAL;
+            if frames >= REST || frames >= PAUSE && (at..=end).all(equal) {
                 runs.try_reserve(2)?;
                 if begin < at {
                     runs.push((false, begin..=at));
@@ -227,7 +286,13 @@ impl Data {
         exact: bool,
         round: &mut dyn FnMut() -> Result<()>,
     ) -> Result<Stretch> {
-        let Part { kind, range, spot } = &parts[numbers[0]];
+        let Part {
+            kind,
+            range,
+            spot,
+            frames: [begin_frame, _],
+        } = &parts[numbers[0]];
+        let frames = [*begin_frame, parts[numbers[1]].frames[1]];
         let (first, last) = (*range.start(), *parts[numbers[1]].range.end());
         let beside = [numbers[0].checked_sub(1), Some(numbers[1] + 1)];
         let beside = beside.map(|number| parts.get(number?));
@@ -253,7 +318,7 @@ impl Data {
             _ => [first; 2],
         };
         let share = |noise: f64, allowed: f64, k: usize, held: [bool; 2]| {
-            if self.left_out[k] {
+            if self.left_out[k] && !(exact && k >= self.poses()) {
                 return f64::INFINITY;
             }
             if exact || (held[0] && k <= first) || (held[1] && k >= last) {
@@ -299,6 +364,7 @@ impl Data {
             kind: *kind,
             first,
             last,
+            frames,
             lead: first - begin,
             place,
             turn,

@@ -56,8 +56,10 @@ pub(super) struct Course {
     /// Whether it begins and ends where the stretch does: no acceleration goes on there.
     open: [bool; 2],
     peaks: [f64; 2],
-    /// Nothing better was found: it need not be smooth.
+    /// Nothing better was found: it need not be smooth,
     pub must: bool,
+    /// and may miss poses.
+    free: bool,
 }
 
 impl Course {
@@ -78,6 +80,7 @@ impl Course {
             open,
             peaks,
             must: false,
+            free: false,
         })
     }
 
@@ -157,10 +160,46 @@ impl Data {
         }
     }
 
+    /// From a pose to the next, as the splines lead there, whatever that misses between.
+    pub(super) fn to_next_pose(
+        &self,
+        stretch: &Stretch,
+        frames: [f64; 2],
+        joint: Joint,
+    ) -> Result<Piece> {
+        if stretch.kind == Kind::Rests {
+            return Ok(rest(frames[1] - frames[0], joint));
+        }
+        let mut course = Course::new(stretch, frames, joint, [false; 2], [0.0; 2])?;
+        (course.must, course.free) = (true, true);
+        let moved = match stretch.kind {
+            Kind::Moves => self.moving(&course)?,
+            _ => self.on_the_spot(&course)?,
+        };
+        moved.map_or_else(|| self.straight(&course), Ok)
+    }
+
+    /// The whole frame nearest to the next pose behind a frame.
+    pub(super) fn next_pose(&self, frame: f64) -> f64 {
+        let end = self.times[self.times.len() - 1];
+        let next = self.times.partition_point(|time| time.round() <= frame);
+        // The last pose is at the end, though it may be nearer to the frame before.
+        let within = next + 1 < self.poses();
+        if within {
+            self.times[next].round()
+        } else {
+            end
+        }
+    }
+
     /// What there must be where nothing else will do.
     fn straight(&self, course: &Course) -> Result<Piece> {
         let end = course.states[MOMENTS].sample;
         let [a, b] = [course.joint.sample, end].map(|sample| sample.position);
+        // Between two equal views there is no section.
+        if !(a.distance(b) > 1e-6 * self.tolerance) && self.same_view(course) {
+            return Ok(rest(course.frames, course.joint));
+        }
         let turned = log(end.turn * course.joint.sample.turn.conjugate());
         Ok(Piece {
             frames: whole(course.frames),
@@ -215,12 +254,15 @@ impl Data {
         self.finished(course, way, &place)
     }
 
+    fn same_view(&self, course: &Course) -> bool {
+        let ([a, b], zooms) = (course.turns(), course.zooms());
+        angle(a, b) < 1e-3 * self.angle && (zooms[1] - zooms[0]).abs() < 1e-6
+    }
+
     /// On the spot, by an even pace.
     fn on_the_spot(&self, course: &Course) -> Result<Option<Piece>> {
-        let [a, b] = course.turns();
-        let zooms = course.zooms();
         // From and to the same view there is no section.
-        if angle(a, b) < 1e-3 * self.angle && (zooms[1] - zooms[0]).abs() < 1e-6 {
+        if self.same_view(course) {
             return Ok(None);
         }
         let pace = own::distance(&[[0.0, 0.0], [1.0, 1.0]])?;
@@ -261,7 +303,7 @@ impl Data {
             if *time > course.from + frames {
                 break;
             }
-            if self.left_out[k] {
+            if self.left_out[k] || course.free {
                 continue;
             }
             let raw = &self.raw[k];

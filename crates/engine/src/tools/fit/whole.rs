@@ -83,8 +83,7 @@ impl Data {
         joint: Joint,
         lengths: &[f64],
     ) -> Result<Option<Piece>> {
-        let ends = [stretch.first, stretch.last].map(|k| self.times[k].round());
-        let mut course = Course::new(stretch, ends, joint, [true; 2], peaks)?;
+        let mut course = Course::new(stretch, stretch.frames, joint, [true; 2], peaks)?;
         if let Some((start, _)) = self.cubic(&course)?
             && let Some(curve) = self.by_poses(start, stretch, joint.sample.position, lengths)?
         {
@@ -152,7 +151,7 @@ impl Data {
         most: f64,
     ) -> Result<Option<Cubic>> {
         let (first, last) = (stretch.first, stretch.last);
-        let [begin, end] = [first, last].map(|k| self.times[k]);
+        let [begin, end] = stretch.frames;
         let skip = (last - first).div_ceil(POSES).max(1);
         let to = self.raw[last].position;
         let mut step = [DVec3::ZERO; 2];

@@ -1,0 +1,65 @@
+//! The report of a fit: the path held against the poses at their own times.
+
+use glam::DVec3;
+
+use super::report::{Deviation, Measured, Report};
+use super::{Data, view_angle};
+use crate::error::Result;
+use crate::math::quaternion::{angle, continue_sign};
+use crate::path::{CameraPath, Sampler, Timeline};
+
+impl Data {
+    /// At the poses' own times.
+    pub(super) fn measured(&self, path: &CameraPath) -> Result<Measured> {
+        let sampler = Sampler::new(path, &Timeline::new(path)?)?;
+        let last = sampler.frame_count() as f64;
+        let mut sums = [Deviation::default(); 3];
+        let mut count = 0;
+        let all = self.raw.iter().zip(&self.times).take(self.poses());
+        for ((sample, time), _) in all.zip(&self.left_out).filter(|(_, out)| !**out) {
+            let pose = sampler.pose((1.0 + time).clamp(1.0, last))?;
+            let turn = self.turn(pose.vpn.into(), pose.vup.into());
+            let turned = 2.0 * angle(sample.turn, continue_sign(sample.turn, turn).0);
+            sums[0].add(DVec3::from_array(pose.vrp).distance(sample.position));
+            sums[1].add(turned.to_degrees());
+            sums[2].add(
+                (view_angle(sample.zoom) - view_angle(pose.zoom))
+                    .abs()
+                    .to_degrees(),
+            );
+            count += 1;
+        }
+        let [position, view, lens] = sums.map(|sum| sum.mean(count));
+        let turned = view.greatest.max(lens.greatest).to_radians();
+        Ok(Measured {
+            worst: (position.greatest / self.tolerance).max(turned / self.angle),
+            position,
+            view,
+            lens,
+        })
+    }
+
+    pub(super) fn report(
+        &self,
+        path: &CameraPath,
+        measured: &Measured,
+        poses: usize,
+    ) -> Result<Report> {
+        let holds = path
+            .points
+            .iter()
+            .filter(|point| point.orientations[0].hold > 0);
+        Ok(Report {
+            points: path.points.len(),
+            poses,
+            position: measured.position,
+            view: measured.view,
+            lens: measured.lens,
+            fps: self.fps,
+            holds: holds.count(),
+            outliers: self.outliers().count(),
+            dropped: poses - self.poses(),
+            unit: self.unit,
+        })
+    }
+}

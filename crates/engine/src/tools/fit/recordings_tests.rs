@@ -1,0 +1,435 @@
+//! Recordings as devices make them: at any rate, with jitter, noise, pauses, gaps, cuts, outliers.
+
+use super::super::*;
+use super::{TOLERANCE, eased, turned, waves};
+use crate::path::test_support::Random;
+use crate::path::{Sampler, Timeline};
+
+/// What is recorded.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Flight {
+    /// Carried by hand.
+    Hand,
+    Line,
+    Rotation,
+    Translation,
+    /// Forth and back with stops.
+    Reversal,
+    /// An even pan on an eased way.
+    EvenPan,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Noise {
+    None,
+    /// Its standard deviation.
+    Gaussian(f64),
+    /// Its greatest deviation.
+    Uniform(f64),
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Event {
+    None,
+    Pause,
+    Gap,
+    Cut,
+    Outliers,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Recording {
+    flight: Flight,
+    /// Poses a second.
+    rate: f64,
+    /// Greatest deviation of a time, in steps.
+    jitter: f64,
+    /// Share of poses lost.
+    drops: f64,
+    noise: Noise,
+    event: Event,
+}
+
+const PLAIN: Recording = Recording {
+    flight: Flight::Hand,
+    rate: 30.0,
+    jitter: 0.0,
+    drops: 0.0,
+    noise: Noise::None,
+    event: Event::None,
+};
+
+const SECONDS: f64 = 20.0;
+
+fn pose(flight: Flight, t: f64) -> Pose {
+    let wave = |size: f64, number: f64| waves(size, number, t)[0];
+    match flight {
+        Flight::Hand => turned(
+            [wave(2.5, 1.0), wave(0.6, 2.0), wave(2.5, 3.0)],
+            wave(1.2, 4.0),
+            wave(0.3, 5.0),
+        ),
+        Flight::Line => turned([0.3 * t, 0.1 * t, 0.0], 0.4, 0.1),
+        Flight::Rotation => turned([1.0, 2.0, 3.0], wave(1.2, 4.0), wave(0.3, 5.0)),
+        Flight::Translation => turned([wave(2.5, 1.0), wave(0.6, 2.0), wave(2.5, 3.0)], 0.4, 0.1),
+        Flight::Reversal => turned([2.0 * (0.5 * t).sin(), 0.0, 0.0], 0.05 * t, 0.0),
+        Flight::EvenPan => turned([2.0 * eased(t / SECONDS)[0], 0.0, 0.0], 0.05 * t, 0.0),
+    }
+}
+
+/// Poses, seconds, and the clean poses at these.
+fn recorded(what: Recording, random: &mut Random) -> (Vec<Pose>, Vec<f64>, Vec<Pose>) {
+    let (mut poses, mut seconds, mut clean) = (Vec::new(), Vec::new(), Vec::new());
+    let mut signed = || 2.0 * random.unit() - 1.0;
+    for k in 0..=(SECONDS * what.rate) as usize {
+        let when = (k as f64 + 0.5 * what.jitter * signed()) / what.rate;
+        let lost = 0.5 * (signed() + 1.0) < what.drops;
+        if k > 0 && (lost || what.event == Event::Gap && (8.0..8.5).contains(&when)) {
+            continue;
+        }
+        let moved = match what.event {
+            Event::Pause if when > 8.0 => 8.0 + (when - 9.0).max(0.0),
+            _ => when,
+        };
+        let mut at = pose(what.flight, moved);
+        if what.event == Event::Cut && when >= 9.0 {
+            at.vrp[0] += 5.0;
+        }
+        clean.push(at);
+        let mut off = || match what.noise {
+            Noise::None => 0.0,
+            Noise::Gaussian(deviation) => deviation * (0..12).map(|_| signed()).sum::<f64>() / 2.0,
+            Noise::Uniform(most) => most / 3f64.sqrt() * signed(),
+        };
+        at.vrp = at.vrp.map(|x| x + off());
+        if what.event == Event::Outliers && k % 97 == 50 {
+            at.vrp[1] += 0.7;
+        }
+        poses.push(at);
+        seconds.push(when);
+    }
+    (poses, seconds, clean)
+}
+
+fn made(poses: &[Pose], seconds: &[f64], fps: f64, options: &Options) -> Fitted {
+    fit(poses, Some(seconds), fps, options, &mut |_, _| true).unwrap()
+}
+
+/// Greatest and root mean square distance from the clean flight.
+fn from_clean(path: &CameraPath, seconds: &[f64], fps: f64, clean: &[Pose]) -> [f64; 2] {
+    let sampler = Sampler::new(path, &Timeline::new(path).unwrap()).unwrap();
+    let (mut most, mut sum) = (0.0_f64, 0.0);
+    for (when, pose) in seconds.iter().zip(clean) {
+        let at = sampler.pose(1.0 + (when - seconds[0]) * fps).unwrap();
+        let off = DVec3::from(at.vrp).distance(pose.vrp.into());
+        most = most.max(off);
+        sum += off * off;
+    }
+    [most, (sum / clean.len() as f64).sqrt()]
+}
+
+#[test]
+fn each_kind_of_recording_becomes_a_path() {
+    let noises = [
+        Noise::None,
+        Noise::Gaussian(0.002),
+        Noise::Uniform(0.0088),
+        Noise::Gaussian(0.02),
+    ];
+    let flights = [
+        Flight::Hand,
+        Flight::Line,
+        Flight::Rotation,
+        Flight::Translation,
+        Flight::Reversal,
+        Flight::EvenPan,
+    ];
+    let mut all = Vec::new();
+    for flight in flights {
+        all.extend(noises.map(|noise| Recording {
+            flight,
+            noise,
+            ..PLAIN
+        }));
+    }
+    for rate in [10.0, 24.3, 60.0, 200.0, 1000.0] {
+        for noise in [Noise::None, Noise::Uniform(0.0088)] {
+            all.push(Recording {
+                rate,
+                noise,
+                ..PLAIN
+            });
+            let (jitter, drops) = (0.5, 0.1);
+            all.push(Recording {
+                rate,
+                noise,
+                jitter,
+                drops,
+                ..PLAIN
+            });
+        }
+    }
+    for event in [Event::Pause, Event::Gap, Event::Cut, Event::Outliers] {
+        all.extend(noises.map(|noise| Recording {
+            event,
+            noise,
+            ..PLAIN
+        }));
+    }
+    let mut random = Random(51);
+    for what in all {
+        let (poses, seconds, clean) = recorded(what, &mut random);
+        let fps = what.rate.min(30.0);
+        let begin = std::time::Instant::now();
+        let fitted = made(&poses, &seconds, fps, &TOLERANCE.into());
+        let took = begin.elapsed().as_secs_f64();
+        let report = &fitted.report;
+        let [most, rms] = from_clean(&fitted.path, &seconds, fps, &clean);
+        println!(
+            "{:?} {} Hz jitter {} drops {} {:?} {:?}: {} poses, {} points, {:.4} {:.3}; clean {most:.4} {rms:.5}; {took:.2} s",
+            what.flight,
+            what.rate,
+            what.jitter,
+            what.drops,
+            what.noise,
+            what.event,
+            poses.len(),
+            report.points,
+            report.position.greatest,
+            report.view.greatest,
+        );
+        assert!(report.points <= poses.len());
+    }
+}
+
+/// Four thousand frames with noise of a little less than the tolerance.
+#[test]
+fn noise_below_the_tolerance_costs_few_points() {
+    for flight in [
+        Flight::Hand,
+        Flight::Rotation,
+        Flight::Translation,
+        Flight::Line,
+    ] {
+        for rate in [30.0, 200.0] {
+            let plain = Recording {
+                flight,
+                rate,
+                ..PLAIN
+            };
+            let (poses, seconds, _) = recorded(plain, &mut Random(7));
+            let clean = made(&poses, &seconds, 30.0, &TOLERANCE.into())
+                .report
+                .points;
+            for most in [0.003, 0.006, 0.0088, 0.0097] {
+                let noise = Noise::Uniform(most);
+                let (poses, seconds, _) = recorded(Recording { noise, ..plain }, &mut Random(9));
+                let fitted = made(&poses, &seconds, 30.0, &TOLERANCE.into());
+                println!(
+                    "NOISE {flight:?} {rate} {most}: {} points, clean {clean}, {:.4}",
+                    fitted.report.points, fitted.report.position.greatest
+                );
+                assert!(
+                    fitted.report.points <= 2 * clean && fitted.report.position.greatest <= 0.01001
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn a_larger_tolerance_gives_no_more_points() {
+    for outlier in [0.0, 0.7, 2.0] {
+        for flight in [Flight::Hand, Flight::Reversal, Flight::EvenPan] {
+            let what = Recording {
+                flight,
+                rate: 10.0,
+                ..PLAIN
+            };
+            let (mut poses, seconds, _) = recorded(what, &mut Random(3));
+            poses[100].vrp[1] += outlier;
+            let points: Vec<usize> = [0.001, 0.003, 0.01, 0.03, 0.05, 0.1, 0.3, 0.6, 1.0, 3.0]
+                .iter()
+                .map(|position| {
+                    let tolerance = Tolerance {
+                        position: *position,
+                        ..TOLERANCE
+                    };
+                    made(&poses, &seconds, 10.0, &tolerance.into())
+                        .report
+                        .points
+                })
+                .collect();
+            println!("LADDER {flight:?} {outlier}: {points:?}");
+            for pair in points.windows(2) {
+                assert!(
+                    pair[1] as f64 <= 1.1 * pair[0] as f64 + 1.0,
+                    "{flight:?} {outlier}: {points:?}"
+                );
+            }
+        }
+    }
+}
+
+/// A pause of a few equal poses is a hold, exactly as long.
+#[test]
+fn pauses_become_holds() {
+    for (count, from) in [(26, 10), (40, 3), (60, 30)] {
+        for equal in 2..16 {
+            let pose = |k: usize| {
+                let t = (k.min(from) + k.saturating_sub(from + equal - 1)) as f64 / 25.0;
+                turned([2.0 * t, (3.0 * t).sin(), 0.0], t, 0.1 * t)
+            };
+            let poses: Vec<Pose> = (0..count).map(pose).collect();
+            let fitted = fit(&poses, None, 25.0, &TOLERANCE.into(), &mut |_, _| true).unwrap();
+            let report = &fitted.report;
+            println!(
+                "PAUSE {count} {equal}: {} points, {} holds, {:.4}",
+                report.points, report.holds, report.position.greatest
+            );
+            assert!(report.position.greatest <= 0.01001 && report.view.greatest <= 0.5005);
+            assert_eq!(report.holds, usize::from(equal >= 5), "{equal}");
+            if equal >= 5 {
+                let held = |point: &SupportPoint| point.orientations[0].hold as usize;
+                assert_eq!(fitted.path.points.iter().map(held).max(), Some(equal - 1));
+            }
+        }
+    }
+}
+
+#[test]
+fn a_line_may_end_between_frames() {
+    for last in [20.3, 20.5, 20.7, 20.01, 0.3, 1.6] {
+        let count = 21;
+        let seconds: Vec<f64> = (0..count)
+            .map(|k| 5.0 + f64::from(k) / f64::from(count - 1) * last / 25.0)
+            .collect();
+        let line = |when: &f64| turned([3.0 * (when - 5.0), 0.5 * when, 0.0], 0.3, 0.0);
+        let poses: Vec<Pose> = seconds.iter().map(line).collect();
+        let fitted = made(&poses, &seconds, 25.0, &TOLERANCE.into());
+        let frames = Timeline::new(&fitted.path).unwrap().frame_count().unwrap();
+        assert_eq!(frames as f64, 1.0 + last.ceil());
+        assert_eq!(fitted.report.points, 2);
+        assert!(
+            fitted.report.position.greatest < 1e-3,
+            "{:?}",
+            fitted.report
+        );
+    }
+}
+
+#[test]
+fn of_poses_at_equal_times_the_first_counts() {
+    let (mut poses, mut seconds, _) = recorded(PLAIN, &mut Random(1));
+    for k in [5, 40, 41, 500] {
+        seconds.insert(k + 1, seconds[k]);
+        let mut other = poses[k];
+        other.vrp[0] += 9.0;
+        poses.insert(k + 1, other);
+    }
+    let fitted = made(&poses, &seconds, 30.0, &TOLERANCE.into());
+    assert_eq!((fitted.report.dropped, fitted.report.poses), (4, 605));
+    assert!(fitted.report.position.greatest <= 0.01001 && fitted.report.points < 80);
+}
+
+/// Two poses, equal ones, some far from each other in time: each becomes a path of no more points
+/// than poses.
+#[test]
+fn few_poses_are_enough() {
+    let at = |k: usize| pose(Flight::Hand, 0.7 * k as f64);
+    let poses: Vec<Pose> = (0..32).map(at).collect();
+    let seconds: Vec<f64> = (0..32).map(|k| 0.7 * f64::from(k)).collect();
+    for count in 2..32 {
+        for (fps, rate) in [(25.0, "whole"), (23.7, "broken")] {
+            let fitted = made(&poses[..count], &seconds[..count], fps, &TOLERANCE.into());
+            println!("FEW {count} {rate}: {:?}", fitted.report);
+            assert!(fitted.report.points <= count);
+        }
+        let still = vec![poses[0]; count];
+        let fitted = made(&still, &seconds[..count], 10.0, &TOLERANCE.into());
+        let frames = Timeline::new(&fitted.path).unwrap().frame_count().unwrap();
+        assert_eq!((fitted.report.points, frames), (2, 7 * (count - 1) + 1));
+        let at_once = made(&poses[..count], &vec![3.0; count], 25.0, &TOLERANCE.into());
+        assert_eq!(
+            (at_once.report.points, at_once.report.dropped),
+            (2, count - 1)
+        );
+    }
+}
+
+#[test]
+fn even_turning_on_an_eased_way_needs_few_points() {
+    for count in [40, 60, 100, 240] {
+        let share = |k: i32| f64::from(k) / f64::from(count - 1);
+        let pans: Vec<Pose> = (0..count)
+            .map(|k| turned([2.0 * eased(share(k))[0], 0.0, 0.0], share(k), 0.0))
+            .collect();
+        let moves: Vec<Pose> = (0..count)
+            .map(|k| turned([2.0 * share(k), 0.0, 0.0], eased(share(k))[0], 0.0))
+            .collect();
+        for (what, poses) in [("pan", pans), ("move", moves)] {
+            for angle in [0.1, 0.5, 2.0, 30.0] {
+                let tolerance = Tolerance { angle, ..TOLERANCE };
+                let fitted = fit(&poses, None, 25.0, &tolerance.into(), &mut |_, _| true).unwrap();
+                println!(
+                    "EVEN {what} {count} {angle}: {} points {:.3}",
+                    fitted.report.points, fitted.report.view.greatest
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn stamps_may_count_nanoseconds_or_microseconds() {
+    for rate in [4.0, 30.0, 200.0] {
+        let (poses, seconds, _) = recorded(Recording { rate, ..PLAIN }, &mut Random(2));
+        let plain = made(&poses, &seconds, 25.0, &TOLERANCE.into());
+        assert_eq!(plain.report.unit, None);
+        for (unit, epoch) in [
+            (TimeUnit::Nanoseconds, 1.7e9),
+            (TimeUnit::Microseconds, 1.7e9),
+            (TimeUnit::Nanoseconds, 4000.0),
+        ] {
+            let stamp = |when: &f64| ((when + epoch) / unit.seconds()).round();
+            let stamps: Vec<f64> = seconds.iter().map(stamp).collect();
+            let fitted = made(&poses, &stamps, 25.0, &TOLERANCE.into());
+            assert_eq!(fitted.report.unit, Some(unit), "{rate} {epoch}");
+            let points = plain.report.points;
+            assert!(fitted.report.points.abs_diff(points) <= 2 + points / 10);
+        }
+    }
+}
+
+#[test]
+fn numbers_beyond_all_measure_are_refused_by_a_sentence() {
+    let (poses, _, _) = recorded(PLAIN, &mut Random(2));
+    for bad in [1e300, f64::NAN, f64::INFINITY, -1e308] {
+        for part in 0..4 {
+            let mut poses = poses.clone();
+            match part {
+                0 => poses[7].vrp[1] = bad,
+                1 => poses[7].vpn[0] = bad,
+                2 => poses[7].vup[2] = bad,
+                _ => poses[7].zoom = bad,
+            }
+            let made = fit(&poses, None, 25.0, &TOLERANCE.into(), &mut |_, _| true);
+            // A direction may be of any length.
+            if let Err(error) = made {
+                assert!(error.to_string().starts_with("pose 8: "), "{error}");
+            } else {
+                assert!((1..3).contains(&part) && bad.is_finite());
+            }
+        }
+        let mut seconds: Vec<f64> = (0..poses.len()).map(|k| k as f64).collect();
+        seconds[poses.len() - 1] = bad;
+        let made = fit(
+            &poses,
+            Some(&seconds),
+            25.0,
+            &TOLERANCE.into(),
+            &mut |_, _| true,
+        );
+        println!("TIMES {bad}: {:?}", made.map(|made| made.report));
+    }
+}
