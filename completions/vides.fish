@@ -327,6 +327,7 @@ complete -c vides -n "__fish_vides_using_subcommand blend" -l trust -d 'Also rea
 complete -c vides -n "__fish_vides_using_subcommand blend" -s h -l help -d 'Print help'
 complete -c vides -n "__fish_vides_using_subcommand convert" -l interpolation -d 'A function of the type V_INTERPOLATE for the interpolation "host:NAME" of a scene\'s tracks' -r
 complete -c vides -n "__fish_vides_using_subcommand convert" -l node -d 'The node of a scene that is written [default: the shown camera]' -r
+complete -c vides -n "__fish_vides_using_subcommand convert" -l clip -d 'The animation of a glTF file that is read [default: all that move different things]' -r
 complete -c vides -n "__fish_vides_using_subcommand convert" -l frames -d 'The frames that are written, first and last, as people count them [default: all]' -r
 complete -c vides -n "__fish_vides_using_subcommand convert" -l fps -d 'Frames per second of what is written, in the same time; of a file that has none when it is read' -r
 complete -c vides -n "__fish_vides_using_subcommand convert" -l start -d 'The time of the first pose in files of the formats tum and osg [default: 0]' -r
@@ -351,6 +352,7 @@ nerfstudio\t''
 transforms\t''
 cameras\t''
 tum\t''
+euroc\t''
 kitti\t''
 colmap\t''
 osg\t''
@@ -370,6 +372,7 @@ nerfstudio\t''
 transforms\t''
 cameras\t''
 tum\t''
+euroc\t''
 kitti\t''
 colmap\t''
 osg\t''
