@@ -2826,7 +2826,7 @@ int v_scene_export(const V_SCENE *scene,
  * fitted with few points; with "as=keys", or fewer than three poses, they become a
  * camera with one key each. Free *scene with v_scene_free().
  *
- * format   gltf, glb, usda, nerfstudio, transforms, cameras, tum, kitti, colmap, osg,
+ * format   gltf, glb, usda, nerfstudio, transforms, cameras, tum, euroc, kitti, colmap, osg,
  *     chan, paraview (as v_scene_export() writes it; no code is run), ascii, csv, json
  *     or vid; NULL: by the content
  * options  as for v_scene_export()
@@ -2870,13 +2870,14 @@ int v_set_progress(int (*progress)(double share, void *user),
  * up and field of view within angle degrees, at its time. Noise of up to half of that is
  * removed.
  *
- * seconds  when each pose was taken, increasing; NULL: one per frame. If they span more
- *     than 100,000,000 frames, as nanoseconds do, the call fails with V_ERR_LIMIT
- * count    at least three
+ * seconds  when each pose was taken, in order; NULL: one per frame. Of equal times the first
+ *     counts. Times beyond 1e11 count nanoseconds or microseconds, by their median step. If
+ *     they span more than 100,000,000 frames, the call fails with V_ERR_LIMIT
+ * count    at least two
  * fps      frame rate of the path
  * The space is the smallest cube around the positions, enlarged by a tenth, with V_UP_Y.
  * Free *path with v_path_free().
- * V_ERR_NULL, V_ERR_ARGUMENT (poses that are all the same, a number that is not
+ * V_ERR_NULL, V_ERR_ARGUMENT (times that run backwards, a number that is not
  * finite, a view without direction), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY,
  * V_ERR_REFUSED (v_set_progress()).
  */

@@ -56,7 +56,7 @@ pub unsafe extern "C" fn v_scene_export(
 /// fitted with few points; with "as=keys", or fewer than three poses, they become a
 /// camera with one key each. Free *scene with v_scene_free().
 ///
-/// format   gltf, glb, usda, nerfstudio, transforms, cameras, tum, kitti, colmap, osg,
+/// format   gltf, glb, usda, nerfstudio, transforms, cameras, tum, euroc, kitti, colmap, osg,
 ///     chan, paraview (as v_scene_export() writes it; no code is run), ascii, csv, json
 ///     or vid; NULL: by the content
 /// options  as for v_scene_export()

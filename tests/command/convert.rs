@@ -191,7 +191,7 @@ fn what_cannot_be_done_is_told() {
             "line 2: the rotation is zero",
         ),
         (
-            "0 1 2 3 0 0 0 1\n0 0 0 0 0 0 0 1\n",
+            "0 1 2 3 0 0 0 1\n-1 0 0 0 0 0 0 1\n",
             "line 2: the times must increase",
         ),
         ("0 1 2 inf 0 0 0 1\n", "line 1: the number must be finite"),

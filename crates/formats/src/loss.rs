@@ -147,9 +147,7 @@ impl fmt::Display for Loss {
             Self::Skins(1) => f.write_str("1 skinned mesh as at rest"),
             Self::Skins(n) => write!(f, "{n} skinned meshes as at rest"),
             Self::Sheared(n) => counted(f, *n, "node% without their shear"),
-            Self::OtherAnimations(names) => {
-                write!(f, "animations left out: {names}; choose one with clip")
-            }
+            Self::OtherAnimations(all) => write!(f, "animations left out (option clip): {all}"),
             Self::FrameNumbers { first, last } => write!(
                 f,
                 "the first frame is 1 and not {first}: its frames are whole numbers from 0 to {last}"
@@ -179,9 +177,7 @@ impl fmt::Display for Loss {
             Self::Epoch(start) => {
                 write!(f, "the times begin at {start} s: they count from 0 here")
             }
-            Self::RepeatedTimes(n) => {
-                counted(f, *n, "pose% at the same time as the one before left out")
-            }
+            Self::RepeatedTimes(n) => counted(f, *n, "pose% at the time of another left out"),
             Self::Rates(n) => write!(f, "{n} rate{} beyond 0 to {MAX_FPS} left out", plural(*n)),
             Self::Markers(n) => counted(f, *n, "marker% left out"),
             Self::PointColours => f.write_str("the colours of points are left out"),

@@ -283,7 +283,7 @@ fn nanoseconds_with_the_scalar_first_are_euroc() {
         .map(ToString::to_string)
         .collect();
     assert!(
-        told.contains(&"1 pose at the same time as the one before left out".to_owned()),
+        told.contains(&"1 pose at the time of another left out".to_owned()),
         "{told:?}"
     );
     // Without a heading it may be the other order.

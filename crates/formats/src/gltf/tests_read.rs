@@ -145,10 +145,7 @@ fn animations_of_different_things_are_read_together() {
     let read = taken(&file);
     assert_eq!((tracks(&read, "man"), tracks(&read, "dolly")), (1, 1));
     let left = read.report.losses()[0].to_string();
-    assert_eq!(
-        left,
-        "animations left out: pan right, run; choose one with clip"
-    );
+    assert_eq!(left, "animations left out (option clip): pan right, run");
     let chosen = |name: &str| {
         let options = Options {
             clip: Some(name.to_owned()),

@@ -37,7 +37,7 @@ fn what_is_wrong_in_lines_is_one_sentence_with_its_place() {
         ),
         (
             "tum",
-            "1 0 0 0 0 0 0 1\n1 0 0 0 0 0 0 1",
+            "1 0 0 0 0 0 0 1\n0.5 0 0 0 0 0 0 1",
             "line 2: the times must increase",
         ),
         ("tum", "#", "there are no poses in this file"),
