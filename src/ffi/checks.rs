@@ -79,16 +79,18 @@ fn finding(found: &Finding) -> Answer<V_FINDING> {
 ///
 /// A path of few support points that passes recorded poses: each position within
 /// tolerance, each view, up and field of view within angle degrees, at its time, and as
-/// smoothly as they do. Noise of up to half of that is taken out.
+/// smoothly as they do. Noise below that is taken out. Poses that jerk between whole
+/// frames may be missed, since points are at whole frames.
 ///
-/// seconds  when each pose was taken, increasing; NULL: one a frame. Poses that span
-///     more than 100,000,000 frames, as those in nanoseconds do, are V_ERR_LIMIT
-/// count    at least three
+/// seconds  when each pose was taken, not decreasing: of equal times the first counts.
+///     NULL: one a frame. Times beyond 1e11 are nanoseconds or microseconds, by their
+///     median step. Poses that span more than 100,000,000 frames are V_ERR_LIMIT
+/// count    at least two
 /// fps      frames in a second of the path
 /// The space is the smallest round the positions, with a tenth to spare, and V_UP_Y.
 /// *path is the caller's, to be freed with v_path_free().
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT (poses that are no
-/// path: all the same, a number that is not finite, a view without direction),
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT (fewer than two poses,
+/// times that run backwards, a number that is not finite, a view without direction),
 /// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_fit_poses(

@@ -27,7 +27,7 @@ static void recorded_poses_are_fitted(void)
     for (i = 0; i < count; i++)
         NEAR(again[i].vrp[0], poses[i].vrp[0], 0.0101);
     v_path_free(fitted);
-    STATUS(V_ERR_ARGUMENT, v_path_fit_poses(poses, NULL, 2, 25, 0.01, 0.5, &fitted));
+    STATUS(V_ERR_ARGUMENT, v_path_fit_poses(poses, NULL, 1, 25, 0.01, 0.5, &fitted));
     STATUS(V_ERR_RANGE, v_path_fit_poses(poses, NULL, 500, 25, 0, 0.5, &fitted));
     poses[7].zoom = NAN;
     STATUS(V_ERR_RANGE, v_path_fit_poses(poses, NULL, 500, 25, 0.01, 0.5, &fitted));
