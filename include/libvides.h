@@ -2867,8 +2867,8 @@ int v_set_progress(int (*progress)(double share, void *user),
 
 /**
  * Fits a path of few points to recorded poses: each position within tolerance, each view,
- * up and field of view within angle degrees, at its time. Noise of up to half of that is
- * removed.
+ * up and field of view within angle degrees, at its time. Noise below that is removed.
+ * Poses that jerk between whole frames may be missed, since points are at whole frames.
  *
  * seconds  when each pose was taken, in order; NULL: one per frame. Of equal times the first
  *     counts. Times beyond 1e11 count nanoseconds or microseconds, by their median step. If

@@ -240,7 +240,10 @@ impl Data {
             (self.tolerance, self.angle) = (share * tolerance, share * angle);
             let path = self.fitted(follow, progress);
             (self.tolerance, self.angle) = (tolerance, angle);
-            let path = path?;
+            let path = match path {
+                Err(Error::Limit(_)) if best.is_some() => continue,
+                path => path?,
+            };
             if path.points.len() > self.poses() && follow != Follow::ByPoints {
                 continue;
             }
