@@ -129,6 +129,42 @@ fn without_threads_to_be_had_nothing_is_lost() {
 }
 
 #[test]
+fn a_long_film_is_checked_while_the_window_goes_on() {
+    for cancels in [false, true] {
+        let mut window = beside(Language::English, late);
+        let long = Edit::FitFrames {
+            first: 0,
+            last: 5,
+            frames: 30_000,
+        };
+        window.state_mut().edit(long);
+        open_menu(&mut window, 3);
+        click(&mut window, "Check …");
+        click(&mut window, "Check now");
+        let found = |window: &Window| {
+            let check = window.state().windows.check.as_ref().unwrap();
+            (check.checked.is_some(), check.found().to_vec())
+        };
+        assert!(window.query_by_label("Check now").is_none() && !found(&window).0);
+        // One looks round meanwhile.
+        window.state_mut().scrub(7.0);
+        if cancels {
+            click(&mut window, "Cancel");
+            when_done(&mut window);
+            assert!(window.query_by_label("Check now").is_some() && !found(&window).0);
+        } else {
+            comes(&mut window, |window| found(window).0);
+            let document = &window.state().document;
+            let object = document.clearance(None).unwrap();
+            let wanted = document
+                .check_against(object.as_ref(), &mut |_, _| true)
+                .unwrap();
+            assert_eq!(found(&window).1.len(), wanted.len());
+        }
+    }
+}
+
+#[test]
 fn a_finding_is_cured_while_the_window_goes_on() {
     for cancels in [false, true] {
         let mut window = beside(Language::English, late);

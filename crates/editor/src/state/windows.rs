@@ -55,6 +55,8 @@ pub(crate) struct CheckWindow {
     pub(crate) trouble: Option<String>,
     /// A check was asked for.
     pub(crate) asked: bool,
+    /// What is found at a revision, beside the window.
+    pub(crate) checking: Option<(u64, Background<Vec<Finding>>)>,
     /// The revision at which one was fixed, and the number of findings before.
     pub(crate) mended: Option<u64>,
     pub(crate) before: Option<usize>,

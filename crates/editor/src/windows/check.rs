@@ -2,7 +2,7 @@
 //! there; where an edit helps, a button does it.
 //!
 //! The path is checked again as soon as nothing is held any more. Where that would take long, it
-//! waits until it is asked for. The tree over the object is kept as long as the object is the same.
+//! waits until it is asked for, and is done beside the window. The tree over the object is kept as long as the object is the same.
 
 use egui::{Button, Context, Label, RichText, Ui, vec2};
 use glam::DVec3;
@@ -72,7 +72,7 @@ impl SubWindow for CheckWindow {
                 if let Some(before) = self.before.filter(|_| current) {
                     ui.colored_label(palette.weak, fill(texts.before, &[&before]));
                 }
-                if !current && !is_quick(editor) {
+                if !current && self.checking.is_none() && !is_quick(editor) {
                     if self.checked.is_some() {
                         ui.colored_label(palette.weak, texts.old);
                     }
@@ -80,15 +80,11 @@ impl SubWindow for CheckWindow {
                     self.asked |= button.clicked();
                 }
             });
-            if let Some((_, work)) = &self.curing {
-                let cancelled = ui.horizontal(|ui| {
-                    let cancel = ui.button(editor.texts().tools.cancel);
-                    work.show(ui);
-                    cancel.clicked()
-                });
-                if cancelled.inner {
-                    self.curing = None;
-                }
+            if progress(editor, ui, self.curing.as_ref().map(|(_, work)| work)) {
+                self.curing = None;
+            }
+            if progress(editor, ui, self.checking.as_ref().map(|(_, work)| work)) {
+                self.checking = None;
             }
             for note in &self.notes {
                 let text = RichText::new(editor.language().note(note)).color(palette.weak);
@@ -106,6 +102,18 @@ impl SubWindow for CheckWindow {
         });
         end.is_none()
     }
+}
+
+/// How far work is; whether it is cancelled.
+fn progress<T: Send + 'static>(editor: &Editor, ui: &mut Ui, work: Option<&Background<T>>) -> bool {
+    work.is_some_and(|work| {
+        let cancelled = ui.horizontal(|ui| {
+            let cancel = ui.button(editor.texts().tools.cancel);
+            work.show(ui);
+            cancel.clicked()
+        });
+        cancelled.inner
+    })
 }
 
 /// The limits of this path: whether a kind is looked for, and from where on.
@@ -226,9 +234,35 @@ impl CheckWindow {
     pub(super) fn keep_up(&mut self, editor: &Editor, context: &Context) {
         let held = context.input(|input| input.pointer.any_down()) || editor.space.moves();
         let current = self.checked == Some(editor.document.revision());
-        if !current && !held && (self.asked || is_quick(editor)) {
+        if !current && !held && is_quick(editor) {
+            self.checking = None;
             self.check(editor);
+        } else if !current && !held && self.asked {
+            self.begin(editor);
         }
+        let revision = editor.document.revision();
+        if let Some((of, work)) = &mut self.checking {
+            // What is found in another path is given up.
+            if *of != revision {
+                self.checking = None;
+            } else if work.is_done(context) {
+                let made = work.made();
+                self.checking = None;
+                if let Some(made) = made {
+                    self.take(editor, made);
+                }
+            }
+        }
+    }
+
+    /// Begins a check beside the window.
+    fn begin(&mut self, editor: &Editor) {
+        self.asked = false;
+        let (copy, object) = (editor.apart(), editor.obstacles());
+        let work = Background::begin(editor.start, move |progress| {
+            copy?.check_against(object?.as_deref(), progress)
+        });
+        self.checking = Some((editor.document.revision(), work));
     }
 
     pub(crate) fn found(&self) -> &[Finding] {
@@ -260,14 +294,23 @@ impl CheckWindow {
 
     fn check(&mut self, editor: &Editor) {
         self.asked = false;
+        let found = editor.obstacles().and_then(|tree| {
+            let go_on = &mut |_, _| true;
+            editor.document.check_against(tree.as_deref(), go_on)
+        });
+        self.take(editor, found);
+    }
+
+    /// Takes what was found in the path as it is now.
+    fn take(&mut self, editor: &Editor, found: Result<Vec<Finding>>) {
         let mended = self.mended == Some(editor.document.revision());
         self.before = mended.then_some(self.found.len());
         self.checked = Some(editor.document.revision());
         (self.found, self.mends, self.notes) = Default::default();
         let document = &editor.document;
         let looked = editor.obstacles().and_then(|tree| {
+            self.found = found?;
             self.notes = document.notes(tree.as_deref(), true)?;
-            self.found = document.check_against(tree.as_deref(), &mut |_, _| true)?;
             // What spoils the film stands before what makes it less smooth.
             self.found.sort_by_key(|finding| match finding.kind {
                 FindingKind::Through => 0,
