@@ -1011,8 +1011,7 @@ int v_path_new(V_PATH **path);
  * Makes an independent copy of a path. Free *copy with v_path_free().
  * V_ERR_NULL, V_ERR_HANDLE, V_ERR_MEMORY, V_ERR_LIMIT.
  */
-int v_path_clone(const V_PATH *path,
-                 V_PATH **copy);
+int v_path_clone(const V_PATH *path, V_PATH **copy);
 
 /**
  * Frees a path and makes its handle invalid. NULL is ignored; an invalid handle only
@@ -1244,10 +1243,7 @@ int v_path_set_orientation(V_PATH *path,
  * v_orientation_init().
  * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_SIZE.
  */
-int v_path_get_orientation(const V_PATH *path,
-                           int point,
-                           int at,
-                           V_ORIENTATION *o);
+int v_path_get_orientation(const V_PATH *path, int point, int at, V_ORIENTATION *o);
 
 /**
  * Makes the target of an orientation absolute (not 0) or relative (0). The view does
@@ -1630,7 +1626,9 @@ int v_path_get_tangents(const V_PATH *path,
  * at     index of the new point; may be NULL
  * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
-int v_path_insert_on_curve(V_PATH *path, double frame, int *at);
+int v_path_insert_on_curve(V_PATH *path,
+                           double frame,
+                           int *at);
 
 
 /* ---- Speed profile ----------------------------------------------------------- */
@@ -1794,9 +1792,7 @@ int v_path_length(const V_PATH *path, double *length);
  * path has one more, from the last point to the first.
  * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
  */
-int v_path_segment_length(const V_PATH *path,
-                          int segment,
-                          double *length);
+int v_path_segment_length(const V_PATH *path, int segment, double *length);
 
 /**
  * Gets the position on a segment at t from 0 to 1, the parameter of the spline (not of
@@ -1975,7 +1971,8 @@ int v_path_blend(V_PATH *const *paths,
  * camera takes them.
  * V_ERR_NULL, V_ERR_HANDLE, V_ERR_MEMORY.
  */
-int v_path_section_count(const V_PATH *path, int *count);
+int v_path_section_count(const V_PATH *path,
+                         int *count);
 
 /**
  * Gets the point and the orientation with which a section begins, its first frame, and its
@@ -2058,7 +2055,8 @@ int v_path_to_list(const V_PATH *path,
  * V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO, V_ERR_LIMIT, V_ERR_MEMORY. If memory runs out
  * while the file is opened or written, the program may end; the old file is unchanged.
  */
-int v_path_write_ascii(const V_PATH *path, const char *file);
+int v_path_write_ascii(const V_PATH *path,
+                       const char *file);
 
 /**
  * Writes the lines of v_path_write_ascii() to memory, zero-terminated. The buffer works
@@ -2091,9 +2089,7 @@ int v_path_frame_at_seconds(const V_PATH *path,
  * frame  from 1 to v_path_frame_count(), also between two whole frames
  * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
-int v_path_seconds_at_frame(const V_PATH *path,
-                            double frame,
-                            double *seconds);
+int v_path_seconds_at_frame(const V_PATH *path, double frame, double *seconds);
 
 /**
  * Gets the motion of the camera at a frame: lengths in the units of the positions,
@@ -2103,9 +2099,7 @@ int v_path_seconds_at_frame(const V_PATH *path,
  * frame  from 1 to v_path_frame_count(), also between two whole frames
  * V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
-int v_path_motion(const V_PATH *path,
-                  double frame,
-                  V_MOTION *motion);
+int v_path_motion(const V_PATH *path, double frame, V_MOTION *motion);
 
 
 /* ---- Scenes: made, loaded, saved, freed -------------------------------------- */
@@ -2169,7 +2163,8 @@ int v_scene_save_to_memory(const V_SCENE *scene,
  * V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO, V_ERR_BUSY, V_ERR_LIMIT, V_ERR_MEMORY (but see
  * v_path_save()).
  */
-int v_scene_save(const V_SCENE *scene, const char *file);
+int v_scene_save(const V_SCENE *scene,
+                 const char *file);
 
 /**
  * Makes an independent copy of a scene. Both share geometry until one of them changes
@@ -2238,9 +2233,7 @@ int v_scene_set_name(V_SCENE *scene, int node, const char *name);
  * Gets a node at rest. Set values->size before.
  * V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_RANGE, V_ERR_BUSY.
  */
-int v_scene_get_node(const V_SCENE *scene,
-                     int node,
-                     V_NODE *values);
+int v_scene_get_node(const V_SCENE *scene, int node, V_NODE *values);
 
 /**
  * Sets the values of a node; its kind does not change. If the parent changes,
@@ -2278,9 +2271,7 @@ int v_scene_set_path(V_SCENE *scene,
  * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (it follows none), V_ERR_RANGE,
  * V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
  */
-int v_scene_get_path(const V_SCENE *scene,
-                     int node,
-                     V_PATH **path);
+int v_scene_get_path(const V_SCENE *scene, int node, V_PATH **path);
 
 /**
  * Sets a marker at a frame, or moves the marker of this name (UTF-8, one line, not
@@ -2360,8 +2351,7 @@ int v_scene_get_comment(const V_SCENE *scene,
  * Positions at frames do not change.
  * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
  */
-int v_scene_set_fps(V_SCENE *scene,
-                    double fps);
+int v_scene_set_fps(V_SCENE *scene, double fps);
 
 /**
  * Gets the frame rate in frames per second.
@@ -2605,9 +2595,7 @@ int v_scene_get_start(const V_SCENE *scene,
  * Gets the number of tracks of a node.
  * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
  */
-int v_scene_track_count(const V_SCENE *scene,
-                        int node,
-                        int *count);
+int v_scene_track_count(const V_SCENE *scene, int node, int *count);
 
 /**
  * Gets the channel of a node's track, for v_scene_get_track(); at counts from 0. The
@@ -2984,7 +2972,9 @@ int v_path_check(const V_PATH *path,
  * disables the kind.
  * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no such kind), V_ERR_RANGE.
  */
-int v_path_set_limit(V_PATH *path, const char *kind, double limit);
+int v_path_set_limit(V_PATH *path,
+                     const char *kind,
+                     double limit);
 
 /**
  * Gets the limit of a kind of finding, see v_path_check(); INFINITY: disabled.
@@ -3007,8 +2997,7 @@ void v_limits_init(V_LIMITS *limits);
  * Like v_limits_init(), for a struct of size bytes. It works as
  * v_editor_options_init_sized().
  */
-void v_limits_init_sized(V_LIMITS *limits,
-                         size_t size);
+void v_limits_init_sized(V_LIMITS *limits, size_t size);
 
 /**
  * Recomputes the speed profile between the first orientation of one point and the last of
@@ -3108,8 +3097,7 @@ void v_tour_init(V_TOUR *tour);
  * Like v_tour_init(), for a struct of size bytes. It works as
  * v_editor_options_init_sized().
  */
-void v_tour_init_sized(V_TOUR *tour,
-                       size_t size);
+void v_tour_init_sized(V_TOUR *tour, size_t size);
 
 /**
  * Plans a flight that shows an object: the fewest positions from which the wanted fraction
@@ -3186,7 +3174,8 @@ int v_editor_close(V_EDITOR *editor);
  * V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no camera, or it follows no
  * path), V_ERR_MEMORY, V_ERR_LIMIT.
  */
-int v_editor_get_path(const V_EDITOR *editor, V_PATH **path);
+int v_editor_get_path(const V_EDITOR *editor,
+                      V_PATH **path);
 
 /**
  * Replaces the path in a window, in one step that the user can undo. The path is
@@ -3523,8 +3512,7 @@ double v_fov_from_zoom(double zoom,
  * height  finite and > 0
  * NaN for anything else; v_last_error() returns why.
  */
-double v_zoom_from_fov(double fov,
-                       double height);
+double v_zoom_from_fov(double fov, double height);
 
 /**
  * Gets the matrix of a camera, for programs whose camera axes differ from OpenGL's: 16

@@ -21,8 +21,8 @@ thread_local! {
 
 /// Sets the function that this thread's long calls report to, and returns the one before.
 #[pyfunction]
-pub(crate) fn set_progress(callback: Option<Py<PyAny>>) -> Option<Py<PyAny>> {
-    CALLBACK.replace(callback)
+pub(crate) fn set_progress(py: Python<'_>, callback: Option<Py<PyAny>>) -> Py<PyAny> {
+    CALLBACK.replace(callback).unwrap_or_else(|| py.None())
 }
 
 /// Computes without holding the interpreter. An exception from a signal handler, or

@@ -17,9 +17,6 @@ use super::rows;
 use super::source::Source;
 use super::tum::Trajectory;
 
-/// Stamps beyond this many seconds, 3,000 years, count nanoseconds.
-const MOST_SECONDS: f64 = 1e11;
-
 pub(super) static EUROC: Format = Format {
     name: "euroc",
     title: "EuRoC",
@@ -65,11 +62,7 @@ fn read(source: &Source, report: &mut Report) -> Result<Content> {
             return Err(place.wrong(Cause::NotFinite));
         }
         let [stamp, x, y, z, qw, qx, qy, qz] = numbers;
-        let seconds = if stamp.abs() > MOST_SECONDS {
-            stamp / 1e9
-        } else {
-            stamp
-        };
+        let seconds = stamp / 1e9;
         let (position, turn) = (DVec3::new(x, y, z), DQuat::from_xyzw(qx, qy, qz, qw));
         trajectory.push(place, seconds, position, turn, CameraAxes::OpenCv)?;
     }
