@@ -46,7 +46,7 @@ pub(super) fn read(source: &Source, axes: CameraAxes, report: &mut Report) -> Re
 /// Poses with their times; of poses at the same time the first counts.
 #[derive(Default)]
 pub(super) struct Trajectory {
-    recording: Recording,
+    pub(super) recording: Recording,
     seconds: Vec<f64>,
     repeated: usize,
 }
