@@ -45,7 +45,7 @@ pub struct Recording {
     /// Their times in seconds, if each has one; frames count before them.
     pub seconds: Option<Vec<f64>>,
     /// By how many seconds times may be off, since the file rounds them.
-    pub rounding: f64,
+    pub rounding: f32,
     /// Frames per second, if the file says.
     pub fps: Option<f64>,
     /// The number of the first frame, if the file says.
@@ -117,7 +117,8 @@ impl Recording {
             let frame = |time: &f64| {
                 let frame = (time - first) * unit;
                 // Seconds of today have seven decimals: what their rounding hides is a whole frame.
-                let slack = 4.0 * f64::EPSILON * (time.abs() + first.abs()) + self.rounding;
+                let slack =
+                    4.0 * f64::EPSILON * (time.abs() + first.abs()) + f64::from(self.rounding);
                 let slack = slack * unit;
                 let whole = frame.round();
                 if (frame - whole).abs() <= slack {

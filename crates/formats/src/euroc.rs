@@ -45,7 +45,7 @@ fn turns_first(row: [f64; 8]) -> bool {
 
 fn read(source: &Source, report: &mut Report) -> Result<Content> {
     let mut trajectory = Trajectory::default();
-    trajectory.recording.rounding = 1e-9;
+    trajectory.recording.rounding = 1.5e-9;
     for (place, row) in rows::rows(source.text()?) {
         let mut numbers = [0.0_f64; 8];
         let mut found = 0;
