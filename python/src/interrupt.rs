@@ -4,6 +4,7 @@
 use std::cell::RefCell;
 use std::time::{Duration, Instant};
 
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use vides::tools::fit::Progress;
 
@@ -21,8 +22,14 @@ thread_local! {
 
 /// Sets the function that this thread's long calls report to, and returns the one before.
 #[pyfunction]
-pub(crate) fn set_progress(py: Python<'_>, callback: Option<Py<PyAny>>) -> Py<PyAny> {
-    CALLBACK.replace(callback).unwrap_or_else(|| py.None())
+pub(crate) fn set_progress(py: Python<'_>, callback: Option<Py<PyAny>>) -> PyResult<Py<PyAny>> {
+    if let Some(callback) = &callback
+        && !callback.bind(py).is_callable()
+    {
+        return Err(PyTypeError::new_err("the callback must be a function"));
+    }
+    let before = CALLBACK.replace(callback);
+    Ok(before.unwrap_or_else(|| py.None()))
 }
 
 /// Computes without holding the interpreter. An exception from a signal handler, or

@@ -38,6 +38,8 @@ def progress(callback: Callable[[float], object]) -> Iterator[None]:
     ...     path.check()
     []
     """
+    if not callable(callback):
+        raise TypeError(f"callback must be a function, not {type(callback).__name__}")
     before = _vides.set_progress(callback)
     try:
         yield
