@@ -169,6 +169,8 @@ class Flight:
             self.named(self.file)
         wait(lambda: os.path.exists(self.file) and os.stat(self.file).st_mtime_ns != before,
              "the path to be saved")
+        # The dialog that asked for the name is still there for a moment, and takes clicks.
+        self.server.drawn(self.window)
         with open(self.file, "rb") as file:
             return tomllib.load(file)
 
