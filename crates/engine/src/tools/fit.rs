@@ -275,10 +275,6 @@ impl Data {
         path.points = points.to_vec().into();
         path.space = self.space;
         path.check()?;
-        println!(
-            "STAND {frames} {:?}",
-            crate::path::Timeline::new(&path)?.frame_count()
-        );
         Ok(path)
     }
 
