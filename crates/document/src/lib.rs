@@ -6,6 +6,8 @@
 //! nothing of windows or of C.
 
 #![forbid(unsafe_code)]
+// Standard output is the host's.
+#![cfg_attr(not(test), warn(clippy::print_stdout))]
 
 mod apply;
 mod cage;

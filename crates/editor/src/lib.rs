@@ -8,6 +8,8 @@
 //! a screen.
 
 #![forbid(unsafe_code)]
+// Standard output is the host's.
+#![cfg_attr(not(test), warn(clippy::print_stdout))]
 
 mod action;
 mod actions;

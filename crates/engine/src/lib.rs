@@ -6,6 +6,9 @@
 //! [`planner`] plans how they are flown. It is a separate crate so that it is optimised for speed,
 //! while the rest of the library is for size.
 
+// Standard output is the host's.
+#![cfg_attr(not(test), warn(clippy::print_stdout))]
+
 pub mod deform;
 pub mod descriptor;
 pub mod error;

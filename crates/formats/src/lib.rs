@@ -9,6 +9,8 @@
 //! that is read is ever run. The crate knows nothing of windows or of C.
 
 #![forbid(unsafe_code)]
+// Standard output is the host's.
+#![cfg_attr(not(test), warn(clippy::print_stdout))]
 
 mod all;
 mod ascii;

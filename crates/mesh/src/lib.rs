@@ -6,6 +6,8 @@
 //! scenes nor windows.
 
 #![forbid(unsafe_code)]
+// Standard output is the host's.
+#![cfg_attr(not(test), warn(clippy::print_stdout))]
 
 mod error;
 mod format;

@@ -7,6 +7,8 @@
 //! This crate knows triangles, lines and a pixel buffer, but neither X nor cameras.
 
 #![forbid(unsafe_code)]
+// Standard output is the host's.
+#![cfg_attr(not(test), warn(clippy::print_stdout))]
 
 mod area;
 mod backdrop;

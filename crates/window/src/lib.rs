@@ -5,6 +5,9 @@
 //!
 //! This crate does not know C; it reaches the host through [`Host`].
 
+// Standard output is the host's.
+#![cfg_attr(not(test), warn(clippy::print_stdout))]
+
 mod clock;
 mod descriptors;
 mod edit;

@@ -7,6 +7,9 @@
 //!
 //! This crate knows neither what the window shows nor C.
 
+// Standard output is the host's.
+#![cfg_attr(not(test), warn(clippy::print_stdout))]
+
 mod areas;
 mod atoms;
 mod authority;
