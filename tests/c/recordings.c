@@ -34,6 +34,37 @@ static void recorded_poses_are_fitted(void)
     v_path_free(path);
 }
 
+/* A camera that rests, poses at equal times, and times in nanoseconds are recordings, too. */
+static void no_recording_is_refused(void)
+{
+    V_PATH *path = orbit(4), *fitted = NULL;
+    static V_POSE poses[100], rests[60];
+    static double seconds[100];
+    size_t count = 0, frames, i;
+    int points;
+
+    OK(v_path_sample(path, poses, 100, &count));
+    CHECK(count == 100);
+    for (i = 0; i < 60; i++)
+        rests[i] = poses[0];
+    OK(v_path_fit_poses(rests, NULL, 60, 25, 0.01, 0.5, &fitted));
+    OK(v_path_point_count(fitted, &points));
+    OK(v_path_frame_count(fitted, &frames));
+    CHECK(points == 2 && frames == 60);
+    v_path_free(fitted);
+    for (i = 0; i < count; i++)
+        seconds[i] = (i / 2) / 12.5;
+    OK(v_path_fit_poses(poses, seconds, count, 25, 0.01, 0.5, &fitted));
+    v_path_free(fitted);
+    for (i = 0; i < count; i++)
+        seconds[i] = 1403636580838555648.0 + i * 40e6;
+    OK(v_path_fit_poses(poses, seconds, count, 25, 0.01, 0.5, &fitted));
+    OK(v_path_frame_count(fitted, &frames));
+    CHECK(frames == 100);
+    v_path_free(fitted);
+    v_path_free(path);
+}
+
 /* Times that are no seconds, and a frame far away: refused before any work, which would take
  * hours and all memory. */
 static void times_that_span_too_many_frames_are_refused(void)
@@ -85,6 +116,7 @@ static void a_plain_hold_is_no_finding(void)
 int main(void)
 {
     recorded_poses_are_fitted();
+    no_recording_is_refused();
     times_that_span_too_many_frames_are_refused();
     a_plain_hold_is_no_finding();
     return failures != 0;
