@@ -565,9 +565,10 @@ impl Document {
         self.read(py, |document| document.scene_document().map(Scene::from))
     }
 
-    fn svg(&self, py: Python<'_>, dark: bool) -> Result<String> {
-        self.read(py, |document| {
-            vides::plot::picture(document, None, dark).map(vides::plot::Picture::into_svg)
+    fn svg(&self, py: Python<'_>, dark: bool) -> PyResult<String> {
+        let document = self.read(py, document::Document::try_clone)?;
+        interruptible(py, |go_on| {
+            Ok(vides::plot::picture(&document, None, dark, go_on)?.into_svg())
         })
     }
 

@@ -103,11 +103,17 @@ struct Film<'a> {
 }
 
 /// The picture of a path, or of the path that a scene's shown camera follows. `object` takes the
-/// place of the document's own; `dark` is the ground.
+/// place of the document's own; `dark` is the ground. `progress` is called with the frames checked
+/// and their number, and ends the work by returning false.
 ///
 /// # Errors
-/// As [`Document::sampler`], [`Document::check`] and [`Document::notes`].
-pub fn picture(document: &Document, object: Option<&Object>, dark: bool) -> Result<Picture> {
+/// As [`Document::sampler`], [`Document::check_against`] and [`Document::notes`].
+pub fn picture(
+    document: &Document,
+    object: Option<&Object>,
+    dark: bool,
+    progress: &mut dyn FnMut(usize, usize) -> bool,
+) -> Result<Picture> {
     let style = if dark { &DARK } else { &LIGHT };
     let sampler = document.sampler()?;
     let frames = sampler.frame_count();
@@ -121,7 +127,7 @@ pub fn picture(document: &Document, object: Option<&Object>, dark: bool) -> Resu
         document,
         style,
         samples: profile::samples(sampler, POSES)?,
-        found: document.check_against(clearance.as_ref(), &mut |_, _| true)?,
+        found: document.check_against(clearance.as_ref(), progress)?,
         notes,
         obstacles,
         clearance,

@@ -147,16 +147,16 @@ def a_select_over_x_alone_is_told(place):
     host = place.told(server, "loop_pending", "select")
     host.open()
     window = wait(server.windows, "a window")[0]
-    server.xdotool("mousemove", "--window", window, 500, 400)
-    server.focus(window)
+    # While it is awake for events of its own, it serves the window, too.
+    host.idle()
     watch = Watch(host.pid)
-    server.xdotool("key", "alt+u")
+    server.xdotool("mousemove", "--window", window, 500, 400)
     wait(lambda: vides_said(host), "a hint")
     waited = watch.seconds()
     check(waited < PATIENCE, f"the hint came after {waited:.2f} s")
     said = vides_said(host)[0]
     check("v_fd()" in said and "v_dispatch()" in said and "select()" in said, said)
-    server.xdotool("key", "alt+u")
+    server.press(window, "alt+u")
     time.sleep(2.5)
     host.live()
     host.leave()

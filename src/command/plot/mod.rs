@@ -10,6 +10,7 @@ use vides::plot;
 use super::failure::{Failure, complain, one_line};
 use super::input;
 use super::output::{is_file, write};
+use super::progress::progress;
 
 #[derive(Args)]
 pub(super) struct Arguments {
@@ -41,8 +42,13 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     let document = input::load_shown(&arguments.file)?;
     let object = arguments.object.as_deref().map(input::object).transpose()?;
-    let picture = plot::picture(&document, object.as_ref(), arguments.dark)
-        .map_err(|error| Failure::from(error.at(input::name(&arguments.file))))?;
+    let picture = plot::picture(
+        &document,
+        object.as_ref(),
+        arguments.dark,
+        &mut progress("frames"),
+    )
+    .map_err(|error| Failure::from(error.at(input::name(&arguments.file))))?;
     for note in picture.notes() {
         complain(&one_line(&note.to_string()));
     }
