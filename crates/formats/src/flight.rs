@@ -1,5 +1,6 @@
 //! What is written: a document, the node and the frames of it, in the axes of the file.
 
+use std::cell::OnceCell;
 use std::io::Write;
 
 use glam::{DAffine3, DMat4, DQuat, DVec3};
@@ -7,7 +8,7 @@ use vides_document::error::{Place as ScenePlace, TooMany, vec_with_room};
 use vides_document::{Info, SceneDocument};
 use vides_engine::limits::MAX_FRAMES;
 use vides_engine::path::{Pose, Up};
-use vides_engine::scene::{FollowPath, Kind, Node, NodeState, Scene, Warnings};
+use vides_engine::scene::{Camera, FollowPath, Kind, Node, NodeState, Scene, Warnings};
 
 use super::blocks::{self, Progress};
 use super::convention::{self, focal_pixels};
@@ -15,6 +16,7 @@ use super::error::{Error, Result};
 use super::format::{Format, Holds};
 use super::loss::{Loss, Report};
 use super::options::Options;
+use super::space;
 
 /// A share of a frame that is rounding.
 const HAIR: f64 = 1e-6;
@@ -30,6 +32,8 @@ pub struct Flight<'a> {
     count: usize,
     fps: f64,
     up: Up,
+    /// Half the edge of a cube around everything, once it was asked for.
+    reach: OnceCell<f64>,
     progress: Option<Progress<'a>>,
 }
 
@@ -97,6 +101,7 @@ impl<'a> Flight<'a> {
             count: frames as usize,
             fps,
             up,
+            reach: OnceCell::new(),
             progress: Some(progress),
         })
     }
@@ -196,6 +201,27 @@ impl<'a> Flight<'a> {
     pub fn to_file(&self) -> DAffine3 {
         DAffine3::from_quat(convention::turn(self.document_up(), self.up))
             * DAffine3::from_scale(DVec3::splat(self.options.scale))
+    }
+
+    /// The near and far plane of a camera in the file's unit: its own, or those that show
+    /// everything if nobody set them.
+    pub(crate) fn planes(&self, camera: Camera) -> Result<[f64; 2]> {
+        let Camera { near, far } = match camera == Camera::default() {
+            true => Camera::for_size(self.reach()?),
+            false => camera,
+        };
+        // As files of 32 bits hold them.
+        let scaled = |plane: f64| (plane * self.options.scale).clamp(1e-30, 1e30);
+        Ok([near, far].map(scaled))
+    }
+
+    fn reach(&self) -> Result<f64> {
+        if let Some(reach) = self.reach.get() {
+            return Ok(*reach);
+        }
+        let object = self.info().object.iter().map(|point| point.position);
+        let reach = space::around(self.scene(), object, self.document_up())?.half_size;
+        Ok(*self.reach.get_or_init(|| reach))
     }
 
     /// A place of the document in the file's coordinates.

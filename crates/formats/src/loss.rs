@@ -49,6 +49,8 @@ pub enum Loss {
     Sheared(usize),
     /// Animations that are left out, by their names.
     OtherAnimations(Text),
+    /// What cannot be read, and why.
+    LeftOut(Text),
     /// The program has no frames of these numbers, only 0 to `last`: they are counted from 1.
     FrameNumbers { first: f64, last: f64 },
     /// The viewer joins the keys by a spline of its own.
@@ -147,6 +149,7 @@ impl fmt::Display for Loss {
             Self::Skins(1) => f.write_str("1 skinned mesh as at rest"),
             Self::Skins(n) => write!(f, "{n} skinned meshes as at rest"),
             Self::Sheared(n) => counted(f, *n, "node% without their shear"),
+            Self::LeftOut(what) => write!(f, "left out: {what}"),
             Self::OtherAnimations(all) => write!(f, "animations left out (option clip): {all}"),
             Self::FrameNumbers { first, last } => write!(
                 f,

@@ -140,6 +140,7 @@ german! {
         Skins(count) => "Netze mit Skelett wie in Ruhe: {count}";
         Sheared(count) => "Knoten ohne ihre Scherung: {count}";
         RepeatedTimes(count) => "Posen zur gleichen Zeit wie die vorige bleiben weg: {count}";
+        LeftOut(what) => "weggelassen: {what}";
         OtherAnimations(names) => "Animationen bleiben weg: {names}; eine wählt clip";
         FrameNumbers { first, last } =>
             "das erste Bild ist 1 und nicht {}: dort sind es ganze Zahlen von 0 bis {}", number(*first), number(*last);

@@ -255,7 +255,7 @@ impl<'f, 'd> Writer<'f, 'd> {
             Kind::Camera(camera) => {
                 let at = self.cameras.len();
                 let yfov = self.zoom(node, at)?;
-                let scale = self.flight.options().scale;
+                let [near, far] = self.flight.planes(*camera)?;
                 let [width, height] = self.flight.size();
                 self.cameras.try_reserve(1)?;
                 self.cameras.push(json!({
@@ -264,8 +264,8 @@ impl<'f, 'd> Writer<'f, 'd> {
                     "perspective": {
                         "yfov": yfov,
                         "aspectRatio": width / height,
-                        "znear": camera.near * scale,
-                        "zfar": camera.far * scale,
+                        "znear": near,
+                        "zfar": far,
                     },
                 }));
                 self.nodes[seen].json.insert("camera".into(), at.into());
