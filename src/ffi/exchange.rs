@@ -17,7 +17,7 @@ use crate::formats::{self, Format, Loss, Options, Report, Source};
 ///     tum, euroc, kitti, colmap (a folder), osg, chan, html, ascii, csv, json or vid; NULL:
 ///     by the name of the file
 /// options  lines of name=value ("fps=30\nnode=camera"); NULL: none. The names are
-///     node, clip, frames, fps, start, size, up, scale, as, tolerance, angle, compact, digits
+///     node, clip, frames, fps, times, start, size, up, scale, as, tolerance, angle, compact, digits
 ///     and rotation-order; `vides convert --help` explains them. The last of duplicates
 ///     counts; names that a format does not use are ignored
 ///

@@ -27,6 +27,8 @@ pub struct Imported {
     pub format: &'static str,
     /// What was lost, and how well a path was fitted.
     pub report: Report,
+    /// Of a list of poses the time of the first in the file, in seconds.
+    pub start: Option<f64>,
 }
 
 /// Writes into a file, or the files of a folder, each replaced only when it is whole.
@@ -189,14 +191,20 @@ fn named(file: &Path, among: &[&'static Format]) -> Option<&'static Format> {
 pub fn import(source: &Source, format: Option<&Format>, options: &Options) -> Result<Imported> {
     let mut report = Report::default();
     let (format, content) = read(source, format, options, &mut report)?;
+    let mut start = None;
     let document = match content {
         Content::Scene(document) => with_path(*document, options, &mut report),
-        Content::Poses(recording) => recording.into_scene(options, &mut report),
+        Content::Poses(recording) => {
+            let seconds = recording.seconds.as_ref().and_then(|all| all.first());
+            start = Some(seconds.copied().unwrap_or(0.0));
+            recording.into_scene(options, &mut report)
+        }
     };
     Ok(Imported {
         document: document.map_err(|error| error.at(&source.name))?,
         format,
         report,
+        start,
     })
 }
 

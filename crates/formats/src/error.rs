@@ -134,6 +134,9 @@ pub enum Error {
         /// Its axis.
         up: &'static str,
     },
+    /// Poses at their own times, of another format or at a rate.
+    #[error("times=own is for the formats tum, euroc, osg and kitti, without fps")]
+    OwnTimes,
     /// Progress was told to end.
     #[error("it was stopped")]
     Stopped,

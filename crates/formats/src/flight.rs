@@ -8,14 +8,16 @@ use vides_document::error::{Place as ScenePlace, TooMany, vec_with_room};
 use vides_document::{Info, SceneDocument};
 use vides_engine::limits::MAX_FRAMES;
 use vides_engine::path::{Pose, Up};
-use vides_engine::scene::{Camera, FollowPath, Kind, Node, NodeState, Scene, Warnings};
+use vides_engine::scene::{
+    Camera, Channel, FollowPath, Kind, Node, NodeState, Scene, Track, Warnings,
+};
 
 use super::blocks::{self, Progress};
 use super::convention::{self, focal_pixels};
 use super::error::{Error, Result};
 use super::format::{Format, Holds};
 use super::loss::{Loss, Report};
-use super::options::Options;
+use super::options::{Options, Times};
 use super::space;
 
 /// A share of a frame that is rounding.
@@ -31,6 +33,8 @@ pub struct Flight<'a> {
     step: f64,
     count: usize,
     fps: f64,
+    /// The scene frames of the poses where they are not evenly spaced.
+    own: Option<Vec<f64>>,
     up: Up,
     /// Half the edge of a cube around everything, once it was asked for.
     reach: OnceCell<f64>,
@@ -90,6 +94,13 @@ impl<'a> Flight<'a> {
                 up: fixed.name(),
             });
         }
+        let own = match options.times {
+            Some(Times::Own) if !format.own_times || options.fps.is_some() => {
+                return Err(Error::OwnTimes);
+            }
+            Some(Times::Own) => keys(&scene.nodes()[node], from, to),
+            _ => None,
+        };
         // Report what cannot be sampled before any file is touched.
         scene.prepare(from)?;
         Ok(Self {
@@ -98,7 +109,8 @@ impl<'a> Flight<'a> {
             node,
             first: from,
             step,
-            count: frames as usize,
+            count: own.as_ref().map_or(frames as usize, Vec::len),
+            own,
             fps,
             up,
             reach: OnceCell::new(),
@@ -151,7 +163,10 @@ impl<'a> Flight<'a> {
     /// The scene frame of a pose, counted from 0.
     #[must_use]
     pub fn frame(&self, index: usize) -> f64 {
-        self.first + self.step * index as f64
+        match &self.own {
+            Some(frames) => frames[index],
+            None => self.first + self.step * index as f64,
+        }
     }
 
     /// The scene frame of the first pose, and how many frames lie between two.
@@ -169,7 +184,15 @@ impl<'a> Flight<'a> {
     /// The time of a pose in seconds, the first at 0.
     #[must_use]
     pub fn seconds(&self, index: usize) -> f64 {
-        convention::seconds(index, self.fps)
+        match &self.own {
+            Some(frames) => (frames[index] - frames[0]) / self.fps,
+            None => convention::seconds(index, self.fps),
+        }
+    }
+
+    /// The time of a pose in seconds as the file counts them.
+    pub(crate) fn time(&self, index: usize) -> f64 {
+        self.options.start.unwrap_or(0.0) + self.seconds(index)
     }
 
     /// Width and height of a picture in pixels.
@@ -403,7 +426,14 @@ impl<'a> Flight<'a> {
     pub fn fill_states(&self, node: usize, from: usize, states: &mut [NodeState]) -> Result<()> {
         let scene = self.scene();
         let mut warnings = Warnings::default();
-        scene.sample(node, self.frame(from), self.step, states, &mut warnings)?;
+        if self.own.is_none() {
+            scene.sample(node, self.frame(from), self.step, states, &mut warnings)?;
+        } else {
+            for (at, state) in states.iter_mut().enumerate() {
+                let state = std::slice::from_mut(state);
+                scene.sample(node, self.frame(from + at), 1.0, state, &mut warnings)?;
+            }
+        }
         // It may be one that this depends on.
         let failed = warnings.first().map_or(node, |(failed, _)| failed);
         succeeded(warnings, &scene.nodes()[failed])
@@ -467,6 +497,19 @@ impl<'a> Flight<'a> {
         self.progress = progress;
         done
     }
+}
+
+/// The frames of a node's keys of position and rotation, between two; none if it has no keys there.
+fn keys(node: &Node, from: f64, to: f64) -> Option<Vec<f64>> {
+    let tracks = [Channel::Position, Channel::Rotation].map(|channel| node.keys().track(&channel));
+    let frames = tracks.into_iter().flatten().flat_map(Track::frames);
+    let mut frames: Vec<f64> = frames
+        .copied()
+        .filter(|at| (from..=to).contains(at))
+        .collect();
+    frames.sort_unstable_by(f64::total_cmp);
+    frames.dedup();
+    (!frames.is_empty()).then_some(frames)
 }
 
 /// Fails with the node's name if something went wrong while the rest went on.

@@ -55,6 +55,8 @@ pub struct Format {
     pub recognises: fn(&Source) -> bool,
     /// Reads a file, or a folder of files; none if it is written only.
     pub read: Option<Reader>,
+    /// Whether its poses may be at any times, or have none.
+    pub own_times: bool,
     /// Writes its one file; none if it is a folder, or read only.
     pub write: Option<Writer>,
     /// The files of a format that is a folder, in the order in which they are written.
@@ -75,6 +77,7 @@ impl Format {
         holds: Holds::Poses,
         recognises: |_| false,
         read: None,
+        own_times: false,
         write: None,
         parts: &[],
         barred: &[],

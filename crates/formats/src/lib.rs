@@ -59,5 +59,5 @@ pub use flight::Flight;
 pub use foreign::{Foreign, Way};
 pub use format::{Format, Holds, Reader, Writer};
 pub use loss::{Loss, Report};
-pub use options::{As, MAX_DECIMALS, OPTIONS, OptionRow, Options};
+pub use options::{As, MAX_DECIMALS, OPTIONS, OptionRow, Options, Times};
 pub use source::Source;

@@ -98,6 +98,7 @@ pub enum Loss {
 }
 
 impl fmt::Display for Loss {
+    #[allow(clippy::too_many_lines)] // a line each
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::OtherNodes(n) => counted(f, *n, "other node% left out"),

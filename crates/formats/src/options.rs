@@ -17,6 +17,15 @@ pub enum As {
     Keys,
 }
 
+/// When poses are written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Times {
+    /// At each frame.
+    Frames,
+    /// At the camera's own keys: those of a list come back at their times.
+    Own,
+}
+
 /// What was chosen; the default is what holds without a word.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Options {
@@ -28,8 +37,10 @@ pub struct Options {
     pub frames: Option<(f64, f64)>,
     /// Frames per second; none: those of the document, of a file that is read its own, else 25.
     pub fps: Option<f64>,
-    /// The time of the first pose in formats whose poses have times, in seconds.
-    pub start: f64,
+    /// When poses are written; none: at each frame.
+    pub times: Option<Times>,
+    /// The time of the first pose in formats whose poses have times, in seconds; none: 0.
+    pub start: Option<f64>,
     /// Width and height of a picture in pixels.
     pub size: [u32; 2],
     /// Which axis stands upright in the file; none: as the format says.
@@ -57,7 +68,8 @@ impl Default for Options {
             clip: None,
             frames: None,
             fps: None,
-            start: 0.0,
+            times: None,
+            start: None,
             size: [1920, 1080],
             up: None,
             scale: 1.0,
@@ -141,13 +153,29 @@ pub const OPTIONS: &[OptionRow] = &[
         },
     },
     OptionRow {
+        name: "times",
+        value: "WHEN",
+        help: "frames: a pose for each frame; own: at the keys of the camera, for tum, euroc, osg and \
+               kitti [default: own where a list becomes a list, without --fps and --frames]",
+        wanted: "frames or own",
+        set: |options, text| {
+            options.times = Some(match text {
+                "frames" => Times::Frames,
+                "own" => Times::Own,
+                _ => return None,
+            });
+            Some(())
+        },
+    },
+    OptionRow {
         name: "start",
         value: "SECONDS",
-        help: "The time of the first pose in files of the formats tum and osg [default: 0]",
+        help: "The time of the first pose in files of the formats tum, euroc and osg \
+               [default: that of a list that becomes a list, else 0]",
         wanted: "a number of seconds, at most 1e12,",
         set: |options, text| {
             // So that two frames are two times.
-            options.start = number(text).filter(|start| start.abs() <= 1e12)?;
+            options.start = Some(number(text).filter(|start| start.abs() <= 1e12)?);
             Some(())
         },
     },
