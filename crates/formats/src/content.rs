@@ -278,13 +278,9 @@ impl Recording {
         report: &mut Report,
     ) -> Result<Scene> {
         let space = self.space(up)?;
-        // Of a camera on one spot there is no diagonal.
-        let extent = match self.diagonal() {
-            diagonal if diagonal > 0.0 => diagonal,
-            _ => space.half_size,
-        };
+        let usual = Tolerance::usual(&self.poses);
         let tolerance = Tolerance {
-            position: options.tolerance.unwrap_or(1e-3 * extent),
+            position: options.tolerance.unwrap_or(usual.position),
             angle: options.angle,
         };
         let choice = fit::Options {

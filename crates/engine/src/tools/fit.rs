@@ -8,6 +8,7 @@
 
 mod corners;
 mod joins;
+mod jumps;
 mod measure;
 mod motion;
 mod pace;
@@ -47,6 +48,24 @@ pub struct Tolerance {
 }
 
 impl Tolerance {
+    /// What is usual: 1/1000 of the diagonal of the positions' bounds, and half a degree; for
+    /// positions that are one, a length of 0.001.
+    #[must_use]
+    pub fn usual(poses: &[Pose]) -> Self {
+        let places = || poses.iter().map(Pose::position);
+        let low = places().fold(DVec3::INFINITY, DVec3::min);
+        let high = places().fold(DVec3::NEG_INFINITY, DVec3::max);
+        let diagonal = 1e-3 * low.distance(high);
+        Self {
+            position: if diagonal > 0.0 && diagonal.is_finite() {
+                diagonal
+            } else {
+                1e-3
+            },
+            angle: 0.5,
+        }
+    }
+
     /// Both in range.
     ///
     /// # Errors
@@ -112,6 +131,9 @@ struct Data {
     unit: Option<TimeUnit>,
     /// Which of them do not count.
     left_out: Vec<bool>,
+    /// The poses before a cut.
+    cuts: Vec<usize>,
+    gaps: usize,
     tolerance: f64,
     /// Radians.
     angle: f64,
@@ -185,16 +207,60 @@ pub fn fit(
     if options.robust {
         data.leave_out()?;
     }
+    (data.cuts, data.gaps) = data.jumps()?;
     let (path, measured) = data.best(progress)?;
     let outliers = data.outliers();
     let mut left_out = vec_with_room(outliers.clone().count())?;
     left_out.extend(outliers);
-    let report = data.report(&path, &measured, poses.len())?;
+    let mut report = data.report(&path, &measured, poses.len())?;
+    report.better = data.better(&report, progress)?;
     Ok(Fitted {
         path,
         left_out,
         report,
     })
+}
+
+/// The path of at most so many points, at least 2, that needs the least tolerance, to within a
+/// twentieth; and that tolerance. [`Options::tolerance`] has the ratio of length and angle.
+///
+/// # Errors
+/// As [`fit`]; [`crate::Error::Range`] for fewer than two points or where no tolerance up to 1,000
+/// times that of the options leads to so few.
+pub fn fit_points(
+    poses: &[Pose],
+    seconds: Option<&[f64]>,
+    fps: f64,
+    options: &Options,
+    points: usize,
+    progress: Progress<'_>,
+) -> Result<(Fitted, Tolerance)> {
+    options.tolerance.check()?;
+    let with = |times: f64| Options {
+        tolerance: Tolerance {
+            position: times * options.tolerance.position,
+            angle: (times * options.tolerance.angle).min(180.0),
+        },
+        ..*options
+    };
+    let mut best: Option<(Fitted, Tolerance)> = None;
+    // Powers of two by halving the interval of their exponents.
+    let [mut low, mut high] = [-10.0_f64, 10.0];
+    while high - low > 0.07 {
+        let middle = match best {
+            None if low == -10.0 => 0.0,
+            _ => 0.5 * (low + high),
+        };
+        let options = with(middle.exp2());
+        let fitted = fit(poses, seconds, fps, &options, progress)?;
+        if fitted.path.points.len() <= points {
+            high = middle;
+            best = Some((fitted, options.tolerance));
+        } else {
+            low = middle;
+        }
+    }
+    best.ok_or_else(|| OutOfRange::TooFewFittedPoints.into())
 }
 
 /// One point for so many poses is few enough.
@@ -221,7 +287,26 @@ enum Follow {
     ByPoints,
 }
 
+/// A path of so many points has more than a third of the poses.
+const MANY: usize = 3;
+
+/// So many standard deviations of a coordinate no noise is far from the flight.
+const BEYOND_NOISE: f64 = 4.5;
+
 impl Data {
+    /// Where there are many points, a tolerance beyond the noise if it needs at most half of them.
+    fn better(&mut self, report: &Report, progress: Progress<'_>) -> Result<Option<(f64, usize)>> {
+        let tolerance = BEYOND_NOISE * report.noise;
+        if MANY * report.points <= report.poses || !(tolerance > self.tolerance) {
+            return Ok(None);
+        }
+        let given = std::mem::replace(&mut self.tolerance, tolerance);
+        let made = self.best(progress);
+        self.tolerance = given;
+        let points = made?.0.points.len();
+        Ok((2 * points <= report.points).then_some((tolerance, points)))
+    }
+
     /// The path of fewest points that meets all poses, else the one that misses them least.
     fn best(&mut self, progress: Progress<'_>) -> Result<(CameraPath, Measured)> {
         if self.stands() {

@@ -31,8 +31,18 @@ type Row = [f64; 7];
 const KINDS: [[usize; 2]; 3] = [[0, 3], [3, 6], [6, 7]];
 
 impl Data {
-    /// The poses, counted from the first, at which a motion has a corner; in order.
+    /// The poses, counted from the first, at which a motion has a corner, as at both sides of a cut;
+    /// in order.
     pub(super) fn corners(&self) -> Result<Vec<usize>> {
+        let mut found = self.outstanding()?;
+        found.try_reserve(2 * self.cuts.len())?;
+        found.extend(self.cuts.iter().flat_map(|cut| [*cut, cut + 1]));
+        found.sort_unstable();
+        found.dedup();
+        Ok(found)
+    }
+
+    fn outstanding(&self) -> Result<Vec<usize>> {
         let count = self.raw.len();
         let mut found = Vec::new();
         if count < 2 * AROUND {

@@ -228,8 +228,15 @@ impl Data {
         })
     }
 
+    /// Whether a part is a cut: neither side says anything of the other.
+    fn is_cut(&self, part: &Part) -> bool {
+        let (first, last) = (part.range.start(), part.range.end());
+        *last == first + 1 && self.cuts.binary_search(first).is_ok()
+    }
+
     /// Where parts meet between frames, the one that moves less has no more than its whole frames.
     fn set_frames(&self, parts: &mut [Part]) {
+        let last = self.times[self.times.len() - 1];
         let mut begin = 0.0;
         for k in 0..parts.len() {
             let time = self.times[*parts[k].range.end()];
@@ -237,6 +244,9 @@ impl Data {
                 .get(k + 1)
                 .is_some_and(|next| next.kind > parts[k].kind);
             let end = if still { time.ceil() } else { time.floor() };
+            // A cut takes a frame, whatever is left for what follows.
+            let least = begin + f64::from(u8::from(self.is_cut(&parts[k])));
+            let end = end.max(least).min(last);
             parts[k].frames = [begin, end];
             begin = end;
         }
@@ -296,8 +306,12 @@ impl Data {
         let (first, last) = (*range.start(), *parts[numbers[1]].range.end());
         let beside = [numbers[0].checked_sub(1), Some(numbers[1] + 1)];
         let beside = beside.map(|number| parts.get(number?));
+        let cut = self.is_cut(&parts[numbers[0]]);
         let corner = beside.map(|beside| {
-            *kind == Kind::Moves && beside.is_some_and(|part| part.kind == Kind::Moves)
+            beside.is_some_and(|part| {
+                let moves = *kind == Kind::Moves && part.kind == Kind::Moves;
+                moves || cut || self.is_cut(part)
+            })
         });
         let leads = [0, 1].map(|side| beside[side].is_some() && !corner[side]);
         let begin = first.saturating_sub(if leads[0] { LEAD } else { 0 });

@@ -67,6 +67,8 @@ impl Data {
             numbers,
             unit,
             left_out,
+            cuts: Vec::new(),
+            gaps: 0,
             tolerance: tolerance.position,
             angle: tolerance.angle.to_radians(),
             fps,
