@@ -377,8 +377,8 @@ fn invert_within<V: Vector>(piece: &Piece, lengths: &[f64], parameters: &mut [f6
 }
 
 /// Newton's steps from a good guess, for vectors whose operations run beside each other;
-/// `arrived` gets the lanes that converged. Two steps are the rule, a third serves only the lanes that need it,
-/// so that no lane depends on the others.
+/// `arrived` gets the lanes that converged. Two steps are the rule, a third serves only the lanes
+/// that need it, so that no lane depends on the others.
 #[inline(always)]
 fn newton<V: Vector>(
     piece: &Piece,

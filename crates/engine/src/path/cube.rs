@@ -1,6 +1,6 @@
 //! Where a path lies in the user's world: a cube round a centre, and which axis is up.
-//! Positions are the world's throughout; only thresholds and base speeds count in units of `half_size`, and
-//! only what knows a vertical is computed in y-up axes.
+//! Positions are the world's throughout; only thresholds and base speeds count in units of
+//! `half_size`, and only what knows a vertical is computed in y-up axes.
 
 use glam::DVec3;
 
