@@ -78,8 +78,8 @@ pub unsafe extern "C" fn v_path_segment_length(
     })
 }
 
-/// Gets the position on a segment at t from 0 to 1, the parameter of the spline (not of
-/// its length).
+/// Gets the position on a segment at the spline's parameter t, from 0 to 1 (not a
+/// fraction of the length).
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
 /// cbindgen:ptrs-as-arrays=[[xyz; 3]]
 #[unsafe(no_mangle)]
@@ -98,8 +98,8 @@ pub unsafe extern "C" fn v_path_curve_point(
     })
 }
 
-/// Gets the position on a segment at the distance s from its start, measured along the
-/// curve, from 0 to the length of the segment.
+/// Gets the position on a segment at the distance s from its start along the curve,
+/// from 0 to the length of the segment.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
 /// cbindgen:ptrs-as-arrays=[[xyz; 3]]
 #[unsafe(no_mangle)]

@@ -46,9 +46,9 @@ pub unsafe extern "C" fn v_editor_redo(editor: *mut V_EDITOR) -> c_int {
     })
 }
 
-/// Begins a group of changes that the user undoes as one step: all changes in a window
-/// until v_editor_end_step(), yours and the user's. It replaces a group begun before;
-/// loading another document in the window ends it.
+/// Begins a group of changes in a window, yours and the user's, that the user undoes as
+/// one step, until v_editor_end_step(). It replaces a group begun before; loading
+/// another document in the window ends it.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_begin_step(editor: *mut V_EDITOR) -> c_int {
@@ -59,7 +59,7 @@ pub unsafe extern "C" fn v_editor_begin_step(editor: *mut V_EDITOR) -> c_int {
     })
 }
 
-/// Ends the group begun by v_editor_begin_step(); does nothing without one.
+/// Ends the group of v_editor_begin_step(); does nothing without one.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_end_step(editor: *mut V_EDITOR) -> c_int {
@@ -70,8 +70,8 @@ pub unsafe extern "C" fn v_editor_end_step(editor: *mut V_EDITOR) -> c_int {
     })
 }
 
-/// Gets the current point and orientation, both counted from 0, see v_editor_select().
-/// Any result may be NULL.
+/// Gets the current point and orientation, see v_editor_select(). Any result may be
+/// NULL.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no path of its scene is
 /// edited).
 #[unsafe(no_mangle)]
@@ -101,7 +101,7 @@ pub unsafe extern "C" fn v_editor_get_selection(
     })
 }
 
-/// Gets whether a window is playing, see v_editor_play(): *playing is 1 or 0.
+/// Gets whether a window is playing: 1 or 0.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_is_playing(

@@ -131,9 +131,8 @@ unsafe fn read_orientation(o: *const V_ORIENTATION) -> Answer<Orientation> {
 
 /// ==== Orientations ====
 ///
-/// Fills in an orientation: size, viewing direction (0, 0, -1) (relative, target (0, 0,
-/// -0.4)), roll 0, zoom 24, tension, continuity and bias 0, all speeds 50, hold 0. NULL
-/// only sets v_last_error().
+/// Fills in an orientation: relative target (0, 0, -0.4), roll 0, zoom 24, tension,
+/// continuity and bias 0, all speeds 50, hold 0.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_orientation_init(o: *mut V_ORIENTATION) {
     border((), || {
@@ -142,9 +141,9 @@ pub unsafe extern "C" fn v_orientation_init(o: *mut V_ORIENTATION) {
     });
 }
 
-/// Gets the number of orientations of a point, 1 to 10. They count from 0, in the order
-/// in which the camera takes them: it arrives in the first, turns from one to the next,
-/// and leaves in the last.
+/// Gets the number of orientations of a point, 1 to 10, in the order in which the
+/// camera takes them: it arrives in the first, turns from one to the next, and leaves
+/// in the last.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_orientation_count(
@@ -163,8 +162,7 @@ pub unsafe extern "C" fn v_path_orientation_count(
 }
 
 /// Inserts an orientation before the one at index at; if at is their number, appends
-/// it. o is copied; NULL copies the orientation before the new one, or the first one if
-/// at is 0.
+/// it. NULL copies the one before it, or the first one if at is 0.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_SIZE, V_ERR_LIMIT,
 /// V_ERR_MEMORY.
 #[unsafe(no_mangle)]
@@ -203,8 +201,8 @@ pub unsafe extern "C" fn v_path_remove_orientation(
     })
 }
 
-/// Sets all values of an orientation; o is copied. Settings that V_ORIENTATION does not
-/// have (ease, distance curve, fixed frames, looking ahead) are unchanged.
+/// Sets all values of an orientation. Settings that V_ORIENTATION does not have (ease,
+/// distance curve, fixed frames, looking ahead, up) are unchanged.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_SIZE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_orientation(
@@ -225,8 +223,7 @@ pub unsafe extern "C" fn v_path_set_orientation(
     })
 }
 
-/// Gets the values of an orientation. Set o->size before, for example with
-/// v_orientation_init().
+/// Gets the values of an orientation.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_SIZE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_orientation(
@@ -267,13 +264,13 @@ pub unsafe extern "C" fn v_path_set_absolute(
     })
 }
 
-/// Makes an orientation look ahead along the path instead of at its target. In a
-/// section between two orientations with the same distance and the same up, the camera
-/// looks ahead throughout.
+/// Makes an orientation look ahead along the path instead of at its target. Between two
+/// orientations with the same distance and the same up, the camera looks ahead
+/// throughout.
 ///
 /// distance  0: along the tangent; > 0: at the position this far ahead on the curve,
-///     straight on beyond its end; < 0: stops looking ahead and keeps the present
-///     direction as an offset. At most 1e9 times half_size
+///     straight on beyond its end, at most 1e9 times half_size; < 0: stops looking
+///     ahead and keeps the present direction as an offset
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_ahead(
@@ -300,8 +297,7 @@ pub unsafe extern "C" fn v_path_set_ahead(
     })
 }
 
-/// Gets how far ahead an orientation looks, see v_path_set_ahead(); -1 if it looks at
-/// its target.
+/// Gets how far ahead an orientation looks; -1 if it looks at its target.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_ahead(
@@ -321,13 +317,13 @@ pub unsafe extern "C" fn v_path_get_ahead(
 }
 
 /// Sets which way is up for an orientation, before its roll, whether it looks at a
-/// target or ahead. In a section between two orientations with the same view and the
-/// same up, the camera keeps both throughout.
+/// target or ahead. Between two orientations with the same view and the same up, the
+/// camera keeps both throughout.
 ///
 /// up  "axis"     the up axis of the space, the default
 ///     "point"    towards up_point
 ///     "path"     towards the position on up_path at the same fraction of its length.
-///                The curve is copied; a closed one ends where it begins
+///                A closed one ends where it begins
 ///     "minimal"  starts with the up axis and is carried on without turning about the
 ///                view, through all consecutive orientations that have it; on a closed
 ///                path, the angle missing at the end is spread over the length
@@ -370,13 +366,11 @@ const UPS: [&CStr; 7] = [
     c"axis", c"point", c"path", c"minimal", c"frenet", c"y", c"z",
 ];
 
-/// Gets which way is up for an orientation, see v_path_set_up(). Any result may be
-/// NULL.
+/// Gets which way is up for an orientation. Any result may be NULL.
 ///
-/// up        its name; the text belongs to the library and is constant
+/// up  its name; the text is constant
 /// up_point  the point of "point", otherwise zeros
-/// up_path   an open path with the curve of "path", to be freed with v_path_free();
-///     otherwise NULL
+/// up_path  an open path with the curve of "path", which you free; otherwise NULL
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 /// cbindgen:ptrs-as-arrays=[[up_point; 3]]
 #[unsafe(no_mangle)]

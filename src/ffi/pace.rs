@@ -39,15 +39,15 @@ fn finite(numbers: [(f64, &'static str); 3]) -> Answer<()> {
 
 /// ==== Speed profile ====
 ///
-/// Gets distance and speed of an ease: speeding up, cruising and slowing down.
+/// Gets distance and speed of an ease: speeding up, cruising and slowing down. Any
+/// result may be NULL.
 ///
-/// kind  V_EASE_SINE or V_EASE_PARABOLIC
+/// kind  V_EASE_...
 /// rise, fall  fractions of the time for speeding up and slowing down, not negative,
 ///     together at most 1
-/// t     from 0 to 1
+/// t  from 0 to 1
 /// distance  fraction of the distance covered at t, 0 to 1
-/// speed     its derivative
-/// Any result may be NULL.
+/// speed  its derivative
 /// V_ERR_ARGUMENT, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_ease(
@@ -84,9 +84,8 @@ pub unsafe extern "C" fn v_ease(
 /// Makes the section that begins with an orientation speed up, cruise and slow down,
 /// instead of using its ten speeds or a distance curve.
 ///
-/// kind  V_EASE_SINE, V_EASE_PARABOLIC, or -1: back to the ten speeds; the other values
-///     are ignored
-/// rise, fall  fractions of the time, as in v_ease()
+/// kind  V_EASE_..., or -1: back to the ten speeds; the other values are ignored
+/// rise, fall  as in v_ease()
 /// cruise  the cruising speed, 1 to 100
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
@@ -115,8 +114,8 @@ pub unsafe extern "C" fn v_path_set_ease(
     })
 }
 
-/// Gets the ease of the section that begins with an orientation, see v_path_set_ease();
-/// kind -1 and zeros if it has none. Any result may be NULL.
+/// Gets the ease of the section that begins with an orientation; kind -1 and zeros if
+/// it has none. Any result may be NULL.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_ease(
@@ -152,13 +151,13 @@ pub unsafe extern "C" fn v_path_get_ease(
     })
 }
 
-/// Sets the distance curve of the section that begins with an orientation: distance as
-/// a function of time, instead of its ten speeds or an ease. It runs smoothly through
-/// the keys and never goes back.
+/// Sets the distance as a function of time in the section that begins with an
+/// orientation, instead of its ten speeds or an ease. It runs smoothly through the keys
+/// and never goes back.
 ///
 /// time_way  pairs (fraction of the time, fraction of the distance), from 0, 0 to 1, 1,
 ///     both increasing
-/// keys      number of pairs, 2 to 32; 0: back to the ten speeds; time_way is ignored
+/// keys  number of pairs, 2 to 32; 0: back to the ten speeds; time_way is ignored
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_distance(
@@ -183,11 +182,8 @@ pub unsafe extern "C" fn v_path_set_distance(
     })
 }
 
-/// Gets the distance curve of the section that begins with an orientation, see
-/// v_path_set_distance(). *keys is the number of pairs, 0 if it has none. capacity is
-/// the number of pairs that time_way has room for. If that is too small, only *keys is
-/// written and the call fails with V_ERR_SIZE; with time_way NULL and capacity 0, only
-/// *keys is written.
+/// Gets the pairs of v_path_set_distance(); capacity and *keys count pairs, 0 if there
+/// are none.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_SIZE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_distance(
@@ -219,9 +215,9 @@ pub unsafe extern "C" fn v_path_get_distance(
 
 /// ==== Fixed frames ====
 ///
-/// Fixes the number of frames of the section that begins with an orientation, whatever
-/// its length; 0: it follows from the length again. A section in which nothing changes
-/// always has 0 frames. The path may have at most 100000000 frames in all.
+/// Fixes the number of frames of the section that begins with an orientation; 0: it
+/// follows from the length again. A section in which nothing changes always has 0
+/// frames. A path may have at most 100000000.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_frames(
@@ -271,7 +267,7 @@ pub unsafe extern "C" fn v_path_set_frames_locked(
     })
 }
 
-/// Gets whether the frames of a section are locked, see v_path_set_frames_locked(): 1
+/// Gets whether the frames of the section that begins with an orientation are locked: 1
 /// or 0.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
 #[unsafe(no_mangle)]
@@ -291,18 +287,15 @@ pub unsafe extern "C" fn v_path_get_frames_locked(
     })
 }
 
-/// Fixes the frames of all moving sections between two points, so that it takes
-/// exactly frames from the first pose at first_point to the last pose at last_point,
-/// holds included. With 0 and the last point, v_path_frame_count() is then exactly
-/// frames; on a closed path that includes the way back to the first point. On a closed
-/// path first_point may also be after last_point.
+/// Fixes the frames of all moving sections between two points, so that it takes exactly
+/// frames from the first pose at first_point to the last pose at last_point, holds
+/// included. 0 and the last point stand for the whole path, if closed with the way back
+/// to the first point. On a closed path first_point may be after last_point.
 ///
-/// Frames are shared in proportion to those that sections have now (unrounded if they
-/// follow from the length), at least one each, by largest remainder; ties go to the
-/// earlier section. Locked sections keep their frames. Frames fixed by an earlier call
-/// count as they are; v_path_set_frames() with 0 makes them follow from the length
-/// again. If frames is too small, the call fails and v_last_error() returns the
-/// smallest possible number.
+/// Sections share the frames in proportion to those they have now (unrounded if they
+/// follow from the length, otherwise as fixed), at least one each, by largest
+/// remainder; ties go to the earlier section. Locked sections keep theirs. If frames is
+/// too small, v_last_error() returns the smallest possible number.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_fit_frames(

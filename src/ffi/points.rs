@@ -27,8 +27,8 @@ pub(super) fn point<'a>(
 
 /// ==== Points ====
 ///
-/// Gets the number of points of a path, at least 2. They count from 0. (The thesis
-/// calls them support points.)
+/// Gets the number of points of a path, at least 2. (The thesis calls them support
+/// points.)
 /// V_ERR_NULL, V_ERR_HANDLE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_point_count(path: *const V_PATH, count: *mut c_int) -> c_int {
@@ -40,10 +40,10 @@ pub unsafe extern "C" fn v_path_point_count(path: *const V_PATH, count: *mut c_i
     })
 }
 
-/// Inserts a point before the one at index at; if at is their number, appends it. The
-/// new point copies all other properties from the point before it, or from the point
-/// after it if at is 0; an absolute target equal to the new position becomes relative.
-/// Coordinates are finite and at most 1e9 times half_size from the centre of the space.
+/// Inserts a point before the one at index at; if at is their number, appends it. It
+/// copies all other properties from the point before it, or from the one after it if at
+/// is 0; an absolute target equal to its position becomes relative. Coordinates are
+/// finite and at most 1e9 times half_size from the centre of the space.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 /// cbindgen:ptrs-as-arrays=[[xyz; 3]]
 #[unsafe(no_mangle)]
@@ -61,9 +61,8 @@ pub unsafe extern "C" fn v_path_insert_point(
 }
 
 /// Divides a segment with 1 to 10 new points on its curve, at equal arc lengths. As in
-/// 1994, the new points copy all other properties from the point before them, so the
-/// motion changes. To keep the motion, use v_path_insert_on_curve(), as the window's
-/// Pos.++ does at the nearest whole frames.
+/// 1994, they copy all other properties from the point before them, so the motion
+/// changes. v_path_insert_on_curve() keeps it, as the window's Pos.++ does.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_divide_segment(
@@ -91,9 +90,8 @@ pub unsafe extern "C" fn v_path_remove_point(path: *mut V_PATH, at: c_int) -> c_
     })
 }
 
-/// Moves a point. Absolute targets stay in place; relative ones move with it. The
-/// position must not equal an absolute target of the point. Coordinates are limited as
-/// in v_path_insert_point().
+/// Moves a point, with its relative targets. Absolute ones stay in place and must not
+/// equal the position. Coordinates are limited as in v_path_insert_point().
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[xyz; 3]]
 #[unsafe(no_mangle)]
@@ -138,7 +136,7 @@ pub unsafe extern "C" fn v_path_move_point(path: *mut V_PATH, from: c_int, to: c
     })
 }
 
-/// Sets the name of a point: UTF-8, one line of at most 256 bytes; "" removes it.
+/// Sets the name of a point: one line of at most 256 bytes; "" removes it.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_point_name(
@@ -157,8 +155,7 @@ pub unsafe extern "C" fn v_path_set_point_name(
     })
 }
 
-/// Gets the name of a point, "" if it has none. The buffer works as in
-/// v_path_get_title().
+/// Gets the name of a point, "" if it has none.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_SIZE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_point_name(
@@ -210,8 +207,8 @@ pub unsafe extern "C" fn v_path_use_preset(path: *mut V_PATH, at: c_int, preset:
     })
 }
 
-/// Gets the tension, continuity and bias in effect at a point, and the preset that it
-/// uses, or -1 if it has its own values. Any result may be NULL.
+/// Gets the tension, continuity and bias in effect at a point, and its preset, or -1 if
+/// it has its own values. Any result may be NULL.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[tcb; 3]]
 #[unsafe(no_mangle)]
@@ -243,8 +240,8 @@ pub unsafe extern "C" fn v_path_get_tcb(
     })
 }
 
-/// Sets one of the path's ten presets, 0 to 9, which changes every point that uses it.
-/// Each value is from -1 to 1.
+/// Sets one of the path's ten presets, 0 to 9, for every point that uses it. Each value
+/// is from -1 to 1.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_preset(

@@ -25,7 +25,7 @@ pub unsafe extern "C" fn v_scene_set_title(scene: *mut V_SCENE, title: *const c_
     })
 }
 
-/// Gets the title of a scene, like v_path_get_title().
+/// Gets the title of a scene.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_title(
@@ -53,7 +53,7 @@ pub unsafe extern "C" fn v_scene_set_comment(scene: *mut V_SCENE, comment: *cons
     })
 }
 
-/// Gets the comment of a scene, like v_path_get_comment().
+/// Gets the comment of a scene.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_comment(
@@ -71,8 +71,7 @@ pub unsafe extern "C" fn v_scene_get_comment(
     })
 }
 
-/// Sets the frame rate in frames per second, > 0 and at most 100000, by default 25.
-/// Positions at frames do not change.
+/// Sets the frame rate, like v_path_set_fps(). Positions at frames do not change.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_fps(scene: *mut V_SCENE, fps: f64) -> c_int {
@@ -91,8 +90,8 @@ pub unsafe extern "C" fn v_scene_get_fps(scene: *const V_SCENE, fps: *mut f64) -
     })
 }
 
-/// Sets the number shown to users for the scene's frame 1, by default 1. The functions
-/// of this library always use the scene's own frames.
+/// Sets the number shown to users for the scene's frame 1, by default 1. The library's
+/// functions always use the scene's own frames.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_first_frame(scene: *mut V_SCENE, number: c_int) -> c_int {
@@ -134,8 +133,8 @@ pub unsafe extern "C" fn v_scene_set_limit(
     })
 }
 
-/// Gets the limit of a kind of finding, like v_path_get_limit().
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_BUSY.
+/// Gets the limit of a kind of finding.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no such kind), V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_limit(
     scene: *const V_SCENE,
@@ -156,7 +155,7 @@ pub unsafe extern "C" fn v_scene_get_limit(
 ///
 /// Sets the camera that is shown; -1: the first one on a path, or the first one if none
 /// is. The choice follows the node when numbers change, is removed with it, and is
-/// saved in the file.
+/// saved.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no camera), V_ERR_RANGE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_camera(scene: *mut V_SCENE, node: c_int) -> c_int {
@@ -178,11 +177,10 @@ pub unsafe extern "C" fn v_scene_get_camera(scene: *const V_SCENE, node: *mut c_
     })
 }
 
-/// Sets the first and last frame of a scene; if first > last, they follow from all
-/// paths and keys. v_scene_frame_range() gets the range in effect. It is saved in the
-/// file.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (a number that is not finite), V_ERR_RANGE,
-/// V_ERR_LIMIT (more than 100000000 frames), V_ERR_BUSY.
+/// Sets the first and last frame of a scene, which are saved; if first > last, they
+/// follow from all paths and keys, see v_scene_frame_range().
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT (more than
+/// 100000000 frames), V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_range(scene: *mut V_SCENE, first: f64, last: f64) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -197,9 +195,9 @@ pub unsafe extern "C" fn v_scene_set_range(scene: *mut V_SCENE, first: f64, last
 
 /// Sets the parent of a node; -1: no parent.
 ///
-/// keep  V_KEEP_PLACE: it keeps its place in the world at the scene's first frame, as
-///     in v_scene_set_node(). V_KEEP_NUMBERS: its values, path and tracks are
-///     unchanged, and it moves with its new parent
+/// keep  V_KEEP_PLACE: its place in the world at the scene's first frame, as in
+///     v_scene_set_node(). V_KEEP_NUMBERS: its values, path and tracks; it moves with
+///     its new parent
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (such as a cycle), V_ERR_RANGE,
 /// V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
 #[unsafe(no_mangle)]

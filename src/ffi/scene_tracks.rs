@@ -65,21 +65,21 @@ fn width(scene: *const V_SCENE, node: usize, channel: &Channel, euler: bool) -> 
 /// Sets the keys of a channel, replacing older ones; 0 keys remove the track.
 ///
 /// channel  "position", "rotation" (w x y z), "scale", "visible" (0 or 1); for cameras
-///     "roll" (degrees) and, unless they follow a path, which has its own, "zoom" (mm,
-///     as in V_POSE); for lights "colour", "intensity", "cone"; for objects "colour",
-///     "weights" (one per shape) and "deformation.N.NAME" (N from 0; NAME as listed for
-///     v_deform()); for cameras and lights "aim_weight" (0 to 1); and "value:NAME" or
-///     "value:NAME:W", W numbers (1 to 16) for your own use
+///     "roll" (degrees) and, unless they follow a path, "zoom" (mm, as in V_POSE); for
+///     lights "colour", "intensity", "cone"; for objects "colour", "weights" (one per
+///     shape) and "deformation.N.NAME" (N from 0; NAME as listed for v_deform()); for
+///     cameras and lights "aim_weight" (0 to 1); and "value:NAME" or "value:NAME:W", W
+///     numbers (1 to 16) for your own use
 /// interpolation  "step", "linear", "ramp", "sine", "parabolic", "catmull-rom",
 ///     "hermite", "tcb", "cubic" (not for rotations), "host:NAME"; for rotations also
 ///     "euler-linear" and "euler-catmull-rom", with three numbers per key: yaw, pitch
 ///     and roll in degrees. "visible" takes only "step"
 /// frames  strictly increasing
 /// values  keys x width numbers, key by key
-/// shape   "hermite": the tangents before and after each key (2 x width, per frame);
+/// shape  "hermite": the tangents before and after each key (2 x width, per frame);
 ///     "tcb": tension, continuity and bias of each key; otherwise NULL
-/// after   how it continues after the last key, V_AFTER_..., optionally | V_BEFORE_...
-///     for before the first one
+/// after  after the last key, V_AFTER_..., optionally | V_BEFORE_... for before the
+///     first one
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
 /// V_ERR_MEMORY.
 #[unsafe(no_mangle)]
@@ -153,11 +153,9 @@ fn both(after: c_int) -> Answer<(Extrapolation, Extrapolation)> {
 }
 
 /// Gets the keys of a channel as set. *keys receives their number, 0 if there is no
-/// track (*interpolation is then ""). capacity is the number of keys that frames,
-/// values and shape have room for. Any result may be NULL; the text is valid as for
-/// v_scene_get_name().
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_SIZE (more
-/// keys than room), V_ERR_BUSY.
+/// track (*interpolation is then ""). capacity counts keys. Any result may be NULL.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_SIZE,
+/// V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_track(
     scene: *const V_SCENE,
@@ -230,10 +228,10 @@ pub unsafe extern "C" fn v_scene_get_track(
     })
 }
 
-/// Computes the value of a channel at a frame between its first and last key. It is
-/// given the frames of the keys and their values, width numbers per key. It writes
-/// width numbers to value and returns V_OK; if it returns anything else, or writes a
-/// number that is not finite, the channel steps from key to key.
+/// Computes the value of a channel at a frame between its first and last key, from the
+/// frames of the keys and their values, width numbers per key. It writes width numbers
+/// to value and returns V_OK; if it returns anything else, or writes a number that is
+/// not finite, the channel steps from key to key.
 pub type V_INTERPOLATE = Option<
     unsafe extern "C" fn(
         frames: *const f64,
@@ -287,9 +285,9 @@ impl Host {
 }
 
 /// Registers a function as the interpolation "host:NAME" for all scenes of the process,
-/// replacing an older one; NULL removes it. name is NAME, with or without "host:". The
-/// function is called on any thread that evaluates a scene. It must not use scenes
-/// itself, and must return to its caller: no longjmp() and no exception may leave it.
+/// replacing an older one; NULL removes it. name is NAME, with or without "host:". Any
+/// thread that evaluates a scene calls the function. It must not use scenes itself, and
+/// no longjmp() and no exception may leave it.
 /// V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_register_interpolation(
@@ -320,8 +318,8 @@ pub unsafe extern "C" fn v_register_interpolation(
 
 /// ==== Objects ====
 ///
-/// Sets the geometry of an object; the mesh is copied. If the object has shapes, the
-/// mesh must have as many points as they have.
+/// Sets the geometry of an object. If the object has shapes, the mesh must have as many
+/// points as they have.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT,
 /// V_ERR_BUSY, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
@@ -338,10 +336,10 @@ pub unsafe extern "C" fn v_scene_set_geometry(
     })
 }
 
-/// Reads the geometry of an object from an OBJ, PLY, STL or glTF file, by the extension
-/// of its name. A saved .vid file then refers to that file instead of containing the
-/// points, by a relative name if the file is in the same folder or below;
-/// v_scene_load() reads it again.
+/// Reads the geometry of an object from an OBJ, PLY, STL or glTF file, by its
+/// extension. A saved .vid file then refers to that file instead of containing the
+/// points, by a relative name if it is in the same folder or below; v_scene_load()
+/// reads it again.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO, V_ERR_FORMAT, V_ERR_ARGUMENT, V_ERR_RANGE,
 /// V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
@@ -422,8 +420,8 @@ unsafe fn indices<const N: usize>(
     Ok(copy)
 }
 
-/// Adds a shape to an object: other positions for all its points. Its weight is 0 at
-/// first; the channel "weights" has one number per shape, and the mesh itself gets the
+/// Adds a shape to an object: other positions for all its points, with weight 0 at
+/// first. The channel "weights" has one number per shape; the mesh itself gets the
 /// remainder to 1.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
 /// V_ERR_MEMORY.
@@ -523,8 +521,8 @@ pub unsafe extern "C" fn v_scene_remove_deformation(
 /// Deforms points in place. u, v, w run from -1 to 1 along the sides of the box (min x
 /// y z, max x y z); along a side of length 0 the coordinate is 0 and points do not
 /// move. Axes are 0, 1, 2. Angles are degrees in u, v, w: in a box that is not a cube,
-/// rotations are stretched with the box. The names in parentheses are those that tracks
-/// can animate, see v_scene_set_track().
+/// rotations are stretched with it. Tracks can animate the names in parentheses, see
+/// v_scene_set_track().
 ///
 /// "taper"      axis a (a): the other two times 1 + (a-1)(1-u^2)
 /// "taper"      axis r0 r1 (r0 r1): from r0 at one end to r1 at the other

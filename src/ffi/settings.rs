@@ -69,8 +69,7 @@ pub(super) unsafe fn comment_of(comment: *const c_char) -> Answer<String> {
 /// ==== What holds for the whole path ====
 ///
 /// Sets the base speeds of a path: the number of frames that each movement takes at
-/// speed 50, finite and > 0, so that a larger value is slower. v_haupt() calls them
-/// speeds.
+/// speed 50, finite and > 0; a larger value is slower. v_haupt() calls them speeds.
 ///
 /// move_frames  moving by half_size (v_path_set_space())
 /// turn_frames  turning by 180 degrees
@@ -100,7 +99,7 @@ pub unsafe extern "C" fn v_path_set_base_frames(
     })
 }
 
-/// Gets the base speeds, see v_path_set_base_frames(). Any result may be NULL.
+/// Gets the base speeds. Any result may be NULL.
 /// V_ERR_NULL, V_ERR_HANDLE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_base_frames(
@@ -153,9 +152,8 @@ pub unsafe extern "C" fn v_path_get_closed(path: *const V_PATH, closed: *mut c_i
     })
 }
 
-/// Sets how the camera turns between its orientations (V_ORIENTATION_TCB,
-/// V_ORIENTATION_BARRY_GOLDMAN, V_ORIENTATION_SLERP) and how the zoom changes
-/// (V_ZOOM_SMOOTH, V_ZOOM_LINEAR).
+/// Sets how the camera turns between its orientations (V_ORIENTATION_...) and how the
+/// zoom changes (V_ZOOM_...).
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_modes(
@@ -182,7 +180,7 @@ pub unsafe extern "C" fn v_path_set_modes(
     })
 }
 
-/// Gets the modes, see v_path_set_modes(). Any result may be NULL.
+/// Gets the modes. Any result may be NULL.
 /// V_ERR_NULL, V_ERR_HANDLE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_modes(
@@ -208,7 +206,7 @@ pub unsafe extern "C" fn v_path_get_modes(
     })
 }
 
-/// Sets the title of a path: UTF-8, one line of at most 256 bytes; "" removes it.
+/// Sets the title of a path: one line of at most 256 bytes; "" removes it.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_title(path: *mut V_PATH, title: *const c_char) -> c_int {
@@ -219,9 +217,7 @@ pub unsafe extern "C" fn v_path_set_title(path: *mut V_PATH, title: *const c_cha
     })
 }
 
-/// Gets the title of a path, zero-terminated. *length is its number of bytes without
-/// the zero. If capacity is not larger than *length, only *length is written and the
-/// call fails with V_ERR_SIZE; with title NULL and capacity 0, only *length is written.
+/// Gets the title of a path.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_title(
@@ -239,7 +235,7 @@ pub unsafe extern "C" fn v_path_get_title(
     })
 }
 
-/// Sets the comment of a path: UTF-8, any number of lines; "" removes it.
+/// Sets the comment of a path: any number of lines; "" removes it.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_comment(path: *mut V_PATH, comment: *const c_char) -> c_int {
@@ -250,7 +246,7 @@ pub unsafe extern "C" fn v_path_set_comment(path: *mut V_PATH, comment: *const c
     })
 }
 
-/// Gets the comment of a path, like v_path_get_title().
+/// Gets the comment of a path.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_comment(
@@ -290,8 +286,8 @@ pub unsafe extern "C" fn v_path_get_fps(path: *const V_PATH, fps: *mut f64) -> c
     })
 }
 
-/// Sets the number of the first pose in the user's film, by default 1. Files in other
-/// formats count from it; the library itself counts poses from 1.
+/// Sets the number of the first pose in the user's film, by default 1, from which files
+/// in other formats count; the library counts poses from 1.
 /// V_ERR_NULL, V_ERR_HANDLE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_first_frame(path: *mut V_PATH, number: c_int) -> c_int {
@@ -313,11 +309,11 @@ pub unsafe extern "C" fn v_path_get_first_frame(path: *const V_PATH, number: *mu
     })
 }
 
-/// Sets the object that is shown with a path, copied; NULL: none. The window draws its
-/// lines and the edges of its triangles; if lines have more than 1,000,000 points in
-/// all, only the points where they end or bend. v_path_check() uses the triangles.
-/// V_ERR_NULL (path), V_ERR_SIZE, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE,
-/// V_ERR_LIMIT, V_ERR_MEMORY.
+/// Sets the object that is shown with a path; NULL: none. The window draws its lines
+/// and the edges of its triangles; if lines have more than 1,000,000 points in all,
+/// only the points where they end or bend. v_path_check() uses the triangles.
+/// V_ERR_NULL, V_ERR_SIZE, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT,
+/// V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_object(path: *mut V_PATH, object: *const V_MESH) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -331,9 +327,8 @@ pub unsafe extern "C" fn v_path_set_object(path: *mut V_PATH, object: *const V_M
     })
 }
 
-/// Gets the object that is shown with a path, with its triangles if it has any; 0
-/// points if there is no object. The arrays belong to the library and are valid until
-/// the same thread's next call of this function or its end. Set mesh->size before.
+/// Gets the object that is shown with a path; 0 points if there is none. The arrays are
+/// valid until the same thread's next call of this function or its end.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_object(path: *const V_PATH, mesh: *mut V_MESH) -> c_int {

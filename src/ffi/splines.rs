@@ -44,10 +44,10 @@ unsafe fn keys_and_times<'a>(
 /// Gets the quaternion at the time when on a smooth curve through orientations (Barry
 /// and Goldman 1988), whose ends are made by reflection.
 ///
-/// keys   count quaternions, four doubles each
+/// keys  count quaternions, four doubles each
 /// key_times  the time of each key, strictly increasing
 /// count  at least 2
-/// when   from the first time to the last
+/// when  from the first time to the last
 /// V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 /// cbindgen:ptrs-as-arrays=[[q; 4]]
 #[unsafe(no_mangle)]
@@ -102,13 +102,11 @@ pub unsafe extern "C" fn v_quat_tcb_spline(
 /// ==== Toolbox: speed curve ====
 ///
 /// Gets speed and distance on the speed curve of a section: ten speeds from 1 to 100 at
-/// u = 0, 1/9, ... 1, smoothly joined, never leaving 1 to 100.
+/// u = 0, 1/9, ... 1, smoothly joined, never leaving 1 to 100. Any result may be NULL.
 ///
 /// before, after  the adjacent speed of the section before and after; NULL: no section
-/// u    from 0 to 1
-/// speed_at_u         the speed at u
+/// u  from 0 to 1
 /// distance_fraction  the fraction of the distance covered at u, 0 to 1
-/// Any result may be NULL.
 /// V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[speed; 10]]
 #[unsafe(no_mangle)]

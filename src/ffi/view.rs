@@ -69,7 +69,7 @@ pub unsafe extern "C" fn v_view_matrix(view: *const V_VIEW, m: *mut f64) -> c_in
 
 /// Gets the perspective view of a camera in a pose. aspect is the width of the picture
 /// divided by its height; front and back are the distances of the planes from the
-/// camera, 0 < front < back. Set view->size before.
+/// camera, 0 < front < back.
 /// V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_view_from_pose(
@@ -113,22 +113,17 @@ pub unsafe extern "C" fn v_pose_gl_matrix(pose: *const V_POSE, m: *mut f64) -> c
 
 /// Returns the vertical field of view, in degrees, of a lens of zoom mm and a picture
 /// that is height mm high: 2 atan (height / (2 zoom)). For the zoom of a V_POSE, height
-/// is 24.
-///
-/// zoom, height  finite and > 0
-/// NaN for anything else; v_last_error() returns why.
+/// is 24. Returns NaN, with the reason in v_last_error(), unless both are finite and >
+/// 0.
 #[unsafe(no_mangle)]
 pub extern "C" fn v_fov_from_zoom(zoom: f64, height: f64) -> f64 {
     border(f64::NAN, || Ok(fov_from_zoom(zoom, height)?))
 }
 
 /// Returns the focal length in mm that gives a picture height mm high the vertical
-/// field of view fov: height / (2 tan (fov / 2)). With height 24 it is the zoom of a
-/// V_POSE.
-///
-/// fov     in degrees, between 0 and 180, both excluded
-/// height  finite and > 0
-/// NaN for anything else; v_last_error() returns why.
+/// field of view fov, in degrees: height / (2 tan (fov / 2)). With height 24 it is the
+/// zoom of a V_POSE. Returns NaN, with the reason in v_last_error(), unless height is
+/// finite and > 0 and fov between 0 and 180, both excluded.
 #[unsafe(no_mangle)]
 pub extern "C" fn v_zoom_from_fov(fov: f64, height: f64) -> f64 {
     border(f64::NAN, || Ok(zoom_from_fov(fov, height)?))
