@@ -118,11 +118,10 @@ fn clip(number: c_int) -> Answer<Clip> {
     })
 }
 
-/// Gets the matrix of a camera, for programs whose camera axes differ from OpenGL's: 16
-/// numbers, column by column, for column vectors.
+/// Gets the matrix of a camera: 16 numbers, column by column, for column vectors.
 ///
 /// convention  the camera's axes, V_AXES_...
-/// to_world  0: world to camera (the view matrix), with V_AXES_OPENGL equal to that of
+/// to_world  0: world to camera (the view matrix), with V_AXES_OPENGL that of
 ///     v_pose_gl_matrix(), bit for bit. Otherwise camera to world: the columns are the
 ///     axes and vrp
 /// V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE.
@@ -156,10 +155,9 @@ pub unsafe extern "C" fn v_pose_matrix(
 /// V_AXES_OPENGL and to_world 0. A scale common to all axes is removed, and the axes
 /// are made perpendicular.
 ///
-/// m  as of v_pose_matrix(); the last row is 0, 0, 0, 1
-/// convention, to_world  as for v_pose_matrix()
-/// zoom  zoom of the pose, finite and > 0, which a matrix does not have; from a
-///     vertical angle: v_zoom_from_fov(angle, 24)
+/// m  its last row is 0, 0, 0, 1
+/// zoom  zoom of the pose, finite and > 0; from a vertical angle:
+///     v_zoom_from_fov(angle, 24)
 /// V_ERR_NULL, V_ERR_ARGUMENT (a matrix that mirrors, shears, projects or is not
 /// finite; zoom), V_ERR_RANGE (convention).
 /// cbindgen:ptrs-as-arrays=[[m; 16]]
@@ -183,18 +181,18 @@ pub unsafe extern "C" fn v_pose_from_matrix(
     })
 }
 
-/// Gets the orientation of a camera as three angles. At angles 0, 0, 0 the camera's
-/// axes (those of convention) lie along the world's. The camera is then turned about
-/// the fixed axes of the world, in the order of the letters: with V_ORDER_XYZ about x,
-/// then y, then z, so that the rotation is Rz Ry Rx for column vectors. (This equals
-/// turns about the camera's own axes in the reverse order.) Positive angles are
-/// counter-clockwise, seen against the axis. With V_AXES_VIDES and V_ORDER_ZXY they are
-/// pitch (positive looks down), yaw and roll of a camera in a world with y up.
+/// Gets the orientation of a camera as three angles. At 0, 0, 0 the camera's axes lie
+/// along the world's. The camera is then turned about the fixed axes of the world, in
+/// the order of the letters: with V_ORDER_XYZ about x, then y, then z, so that the
+/// rotation is Rz Ry Rx for column vectors. (This equals turns about the camera's own
+/// axes in the reverse order.) Positive angles are counter-clockwise, seen against the
+/// axis. With V_AXES_VIDES and V_ORDER_ZXY they are pitch (positive looks down), yaw
+/// and roll in a world with y up.
 ///
-/// convention  the camera's axes, V_AXES_...; Blender and glTF use V_AXES_OPENGL
+/// convention  V_AXES_...; Blender and glTF use V_AXES_OPENGL
 /// order  V_ORDER_...
 /// angles  degrees about x, y and z, listed so for any order. The second turn is within
-///     -90 to 90, the others within -180 to 180. If it is 90 or -90, the other two turn
+///     -90 to 90, the others within -180 to 180. If it is 90 or -90, the others turn
 ///     about the same axis and share its angle
 /// V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE (convention, order).
 /// cbindgen:ptrs-as-arrays=[[angles; 3]]
@@ -218,8 +216,7 @@ pub unsafe extern "C" fn v_pose_to_euler(
 }
 
 /// Gets the pose of a camera at position vrp, turned by three angles: the inverse of
-/// v_pose_to_euler(), which explains them. Any finite angles are valid; zoom is finite
-/// and > 0.
+/// v_pose_to_euler(). Any finite angles are valid; zoom is finite and > 0.
 /// V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE (convention, order).
 /// cbindgen:ptrs-as-arrays=[[vrp; 3], [angles; 3]]
 #[unsafe(no_mangle)]
@@ -256,10 +253,10 @@ pub unsafe extern "C" fn v_pose_from_euler(
     })
 }
 
-/// Gets the projection matrix of a camera, to be applied after the view matrix of
-/// v_pose_gl_matrix(), which looks along -z whatever the convention: 16 numbers, column
-/// by column, for column vectors (row by row for row vectors, as Direct3D uses them).
-/// Only the zoom of the pose is used.
+/// Gets the projection matrix of a camera, for its zoom, to be applied after the view
+/// matrix of v_pose_gl_matrix(), which looks along -z whatever the convention: 16
+/// numbers, column by column, for column vectors (row by row for row vectors, as
+/// Direct3D uses them).
 ///
 /// aspect  width of the picture divided by its height
 /// near_plane  distance of the front plane, > 0

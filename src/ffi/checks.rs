@@ -79,9 +79,9 @@ fn finding(found: &Finding) -> Answer<V_FINDING> {
 ///
 /// Fits a path of few points to recorded poses: each position within tolerance, each
 /// view, up and field of view within angle degrees, at its time. Noise below that is
-/// removed. Poses that jerk between whole frames may be missed, since points are at
-/// whole frames. The space is the smallest cube around the positions, enlarged by a
-/// tenth, with V_UP_Y.
+/// removed. Poses that jerk between whole frames, where no points are, may be missed.
+/// The space is the smallest cube around the positions, enlarged by a tenth, with
+/// V_UP_Y.
 ///
 /// seconds  when each pose was taken, in order; NULL: one per frame. Of equal times the
 ///     first counts. Times beyond 1e11 count nanoseconds or microseconds, by their

@@ -149,15 +149,13 @@ unsafe impl Growing for V_EDITOR_OPTIONS {
 }
 
 /// Opens an editor window and returns at once; see v_fd() for how your program serves
-/// it. options may be NULL for the defaults. Call it from the thread that runs the
-/// event loop.
+/// it. options NULL: the defaults. Call it from the thread that runs the event loop.
 ///
-/// The callbacks run on that thread, in your event loop, and may call any function of
-/// the library. They may run while your program shows a modal dialog, since the
-/// dialog's loop serves the window too. No longjmp() and no exception may leave them;
-/// an exception that does ends the program, after a line on standard error that names
-/// the callback. When the thread ends, its window is closed, and a line on standard
-/// error reports it.
+/// The callbacks run there, also while your program shows a modal dialog, since its
+/// loop serves the window too. They may call any function. No longjmp() and no
+/// exception may leave them; an exception that does ends the program, after a line on
+/// standard error that names the callback. When the thread ends, its window is closed,
+/// with a line on standard error.
 /// V_ERR_NULL, V_ERR_SIZE, V_ERR_HANDLE (of path), V_ERR_ARGUMENT, V_ERR_RANGE,
 /// V_ERR_IO and V_ERR_FORMAT (of file), V_ERR_DISPLAY, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
@@ -384,8 +382,7 @@ fn open(editor: Beginning, host: Callbacks) -> Answer<*mut V_EDITOR> {
 /// Closes a window without asking, and frees its handle: on the thread that opened it,
 /// or on any once the window is gone. Inside the window's own callbacks it closes when
 /// they have returned. on_gone is not called. Work that v_editor_is_modified() reports
-/// is offered at the next start of the program, unless you called v_editor_mark_saved()
-/// before. NULL is ignored.
+/// is offered at the next start of the program. NULL is ignored.
 /// V_ERR_HANDLE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_close(editor: *mut V_EDITOR) -> c_int {
@@ -431,8 +428,8 @@ pub unsafe extern "C" fn v_editor_get_path(
 /// Replaces the path in a window, in one step that the user can undo, with its space,
 /// title, comment and so on, and its object if it has one. Base speeds given when the
 /// window was opened are kept. In a scene it replaces the path of the camera shown,
-/// which is then edited. The playhead stays at its frame if the path has that frame;
-/// otherwise it goes to the current point.
+/// which is then edited. The playhead stays at its frame, or goes to the current point
+/// if the path has no such frame.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no camera, or it follows no
 /// path), V_ERR_MEMORY.
 #[unsafe(no_mangle)]

@@ -32,14 +32,13 @@ fn tell(lost: Option<&Lost>) {
 /// ==== The host's event loop ====
 ///
 /// Returns the descriptor to watch with select(), poll() or the like; when it is
-/// readable, call v_dispatch(). It remains the same and open as long as the thread
-/// lives, with and without windows; never read or close it. Returns -1 if the system
-/// has no more descriptors; v_last_error() returns the reason.
+/// readable, call v_dispatch(). It stays the same and open as long as the thread lives;
+/// never read or close it. Returns -1 if the system has no more descriptors.
 ///
 /// The functions of this section concern the windows that the calling thread opened. A
 /// program with an Xt or Motif main loop needs none of them: Xt serves its windows,
 /// even if the program calls XtAppPending() first, unless it processes XtIMXEvent only.
-/// Any other program, including one that runs Xt under its own select(), watches this
+/// Any other program, also one that runs Xt under its own select(), watches this
 /// descriptor or calls v_main_loop(). If no loop serves a window, a hint appears on
 /// standard error.
 #[unsafe(no_mangle)]
@@ -52,9 +51,8 @@ pub extern "C" fn v_fd() -> c_int {
     })
 }
 
-/// Returns the longest time in milliseconds to wait for v_fd() before v_dispatch() has
-/// something to do even without input; -1: no limit. At that time v_fd() becomes
-/// readable, too.
+/// Returns the milliseconds after which v_dispatch() has something to do even without
+/// input; -1: no limit. v_fd() becomes readable then, too.
 #[unsafe(no_mangle)]
 pub extern "C" fn v_timeout() -> c_int {
     border(-1, || {
@@ -67,10 +65,10 @@ pub extern "C" fn v_timeout() -> c_int {
     })
 }
 
-/// Does all pending work for the windows and never waits; callbacks run inside it.
-/// Returns the number of open windows. One that was destroyed, or whose X server went
-/// away, is not counted; v_last_error() returns the reason. Inside a callback it serves
-/// all windows except those whose callbacks are running.
+/// Does all pending work for the windows without waiting; callbacks run inside it.
+/// Returns the number of open windows; if one was destroyed, or its X server went away,
+/// v_last_error() returns the reason. Inside a callback it serves all windows except
+/// those whose callbacks are running.
 #[unsafe(no_mangle)]
 pub extern "C" fn v_dispatch() -> c_int {
     border(0, || {
@@ -106,9 +104,8 @@ pub extern "C" fn v_main_loop() -> c_int {
     })
 }
 
-/// Lets an Xt application context, an XtAppContext run by this thread, serve its
-/// windows. Needed only for a context created after a window was opened, since opening
-/// one finds all that exist.
+/// Lets an XtAppContext run by this thread serve its windows. Needed only for one
+/// created after a window was opened, since opening a window finds all that exist.
 /// V_ERR_NULL, V_ERR_ARGUMENT (no Xt, or no such context), V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub extern "C" fn v_set_app_context(app_context: *mut c_void) -> c_int {

@@ -36,8 +36,8 @@ fn command(
 
 /// ==== The window and the host's own picture ====
 ///
-/// Shows your program's camera in a window, as a ghost in the space, which the user can
-/// add to the path as a point. NULL hides it. vpn and vup may have any length but 0.
+/// Shows your program's camera in a window, as a ghost that the user can add to the
+/// path as a point; NULL hides it. vpn and vup have any length but 0.
 ///
 /// Changes that a callback makes with the functions of this section or with
 /// v_editor_set_path() do not cause further callbacks.
@@ -51,9 +51,8 @@ pub unsafe extern "C" fn v_editor_set_view(editor: *mut V_EDITOR, pose: *const V
     })
 }
 
-/// Gets the frame at the playhead, which may lie between two whole frames;
-/// v_path_pose() gets the camera there. In a scene it is a frame of the scene, as for
-/// v_scene_evaluate().
+/// Gets the frame at the playhead, for v_path_pose(); in a scene a frame of the scene,
+/// for v_scene_evaluate().
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_get_frame(
@@ -69,9 +68,9 @@ pub unsafe extern "C" fn v_editor_get_frame(
     })
 }
 
-/// Moves the playhead to a frame, from 1 to v_path_frame_count(), also between two
-/// whole frames. The orientation that the camera comes from becomes current. In a scene
-/// it is a frame of the scene, within v_scene_frame_range(), whatever is selected.
+/// Moves the playhead to a frame; the orientation that the camera comes from becomes
+/// current. In a scene it is a frame of the scene, within v_scene_frame_range(),
+/// whatever is selected.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_RANGE, V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_set_frame(editor: *mut V_EDITOR, frame: c_double) -> c_int {
@@ -194,7 +193,7 @@ pub unsafe extern "C" fn v_editor_raise(editor: *mut V_EDITOR) -> c_int {
 }
 
 /// Closes all windows that this thread has open, including those of v_haupt(), for your
-/// program's Quit. Windows opened meanwhile stay open. Handles must still be freed with
+/// program's Quit. Windows opened meanwhile stay open. You still free the handles with
 /// v_editor_close().
 ///
 /// ask  0: closes without asking; unsaved work is offered at the next start. Otherwise
@@ -203,8 +202,7 @@ pub unsafe extern "C" fn v_editor_raise(editor: *mut V_EDITOR) -> c_int {
 ///
 /// While a window asks, the call also handles the events, timers and inputs of a
 /// program with Xt, in the context that this thread ran last; no longjmp() and no
-/// exception may leave their callbacks. A second call meanwhile raises the window that
-/// asks.
+/// exception may leave their callbacks. A second call meanwhile raises that window.
 /// V_ERR_REFUSED (the windows before that one are closed), V_ERR_BUSY (within a
 /// callback, or while an earlier call asks), V_ERR_DISPLAY, V_ERR_LIMIT (no more
 /// descriptors).

@@ -141,9 +141,8 @@ pub unsafe extern "C" fn v_orientation_init(o: *mut V_ORIENTATION) {
     });
 }
 
-/// Gets the number of orientations of a point, 1 to 10, in the order in which the
-/// camera takes them: it arrives in the first, turns from one to the next, and leaves
-/// in the last.
+/// Gets the number of orientations of a point, 1 to 10. The camera arrives in the
+/// first, turns from one to the next, and leaves in the last.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_orientation_count(
@@ -265,12 +264,11 @@ pub unsafe extern "C" fn v_path_set_absolute(
 }
 
 /// Makes an orientation look ahead along the path instead of at its target. Between two
-/// orientations with the same distance and the same up, the camera looks ahead
-/// throughout.
+/// with the same distance and the same up, the camera looks ahead throughout.
 ///
 /// distance  0: along the tangent; > 0: at the position this far ahead on the curve,
-///     straight on beyond its end, at most 1e9 times half_size; < 0: stops looking
-///     ahead and keeps the present direction as an offset
+///     straight on beyond its end, at most 1e9 times half_size; < 0: no longer ahead,
+///     keeping the present direction as an offset
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_ahead(
@@ -317,8 +315,8 @@ pub unsafe extern "C" fn v_path_get_ahead(
 }
 
 /// Sets which way is up for an orientation, before its roll, whether it looks at a
-/// target or ahead. Between two orientations with the same view and the same up, the
-/// camera keeps both throughout.
+/// target or ahead. Between two with the same view and the same up, the camera keeps
+/// both throughout.
 ///
 /// up  "axis"     the up axis of the space, the default
 ///     "point"    towards up_point
@@ -327,11 +325,10 @@ pub unsafe extern "C" fn v_path_get_ahead(
 ///     "minimal"  starts with the up axis and is carried on without turning about the
 ///                view, through all consecutive orientations that have it; on a closed
 ///                path, the angle missing at the end is spread over the length
-///     "frenet"   the normal of the curve; only for curves of kind "cubic" without
-///                custom tangents
+///     "frenet"   the normal of the curve, of kind "cubic" without custom tangents
 ///     "y", "z"   this axis, whatever the space's up axis
 /// Arguments that an up does not need may be NULL. A path has at most 10 different up
-/// paths, each with at most 1000 points.
+/// paths of at most 1000 points.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_up(
@@ -366,11 +363,9 @@ const UPS: [&CStr; 7] = [
     c"axis", c"point", c"path", c"minimal", c"frenet", c"y", c"z",
 ];
 
-/// Gets which way is up for an orientation. Any result may be NULL.
-///
-/// up  its name; the text is constant
-/// up_point  the point of "point", otherwise zeros
-/// up_path  an open path with the curve of "path", which you free; otherwise NULL
+/// Gets which way is up for an orientation: its name (constant), the point of "point",
+/// otherwise zeros, and an open path with the curve of "path", which you free,
+/// otherwise NULL.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 /// cbindgen:ptrs-as-arrays=[[up_point; 3]]
 #[unsafe(no_mangle)]

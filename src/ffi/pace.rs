@@ -39,8 +39,7 @@ fn finite(numbers: [(f64, &'static str); 3]) -> Answer<()> {
 
 /// ==== Speed profile ====
 ///
-/// Gets distance and speed of an ease: speeding up, cruising and slowing down. Any
-/// result may be NULL.
+/// Gets distance and speed of an ease: speeding up, cruising and slowing down.
 ///
 /// kind  V_EASE_...
 /// rise, fall  fractions of the time for speeding up and slowing down, not negative,
@@ -81,8 +80,8 @@ pub unsafe extern "C" fn v_ease(
     })
 }
 
-/// Makes the section that begins with an orientation speed up, cruise and slow down,
-/// instead of using its ten speeds or a distance curve.
+/// Makes a section speed up, cruise and slow down, instead of using the ten speeds of
+/// the orientation with which it begins (point, at) or a distance curve.
 ///
 /// kind  V_EASE_..., or -1: back to the ten speeds; the other values are ignored
 /// rise, fall  as in v_ease()
@@ -114,8 +113,7 @@ pub unsafe extern "C" fn v_path_set_ease(
     })
 }
 
-/// Gets the ease of the section that begins with an orientation; kind -1 and zeros if
-/// it has none. Any result may be NULL.
+/// Gets the ease of a section, see v_path_set_ease(); kind -1 and zeros if it has none.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_ease(
@@ -151,9 +149,8 @@ pub unsafe extern "C" fn v_path_get_ease(
     })
 }
 
-/// Sets the distance as a function of time in the section that begins with an
-/// orientation, instead of its ten speeds or an ease. It runs smoothly through the keys
-/// and never goes back.
+/// Sets the distance as a function of time in a section (point, at), instead of ten
+/// speeds or an ease. It runs smoothly through the keys and never goes back.
 ///
 /// time_way  pairs (fraction of the time, fraction of the distance), from 0, 0 to 1, 1,
 ///     both increasing
@@ -216,8 +213,8 @@ pub unsafe extern "C" fn v_path_get_distance(
 /// ==== Fixed frames ====
 ///
 /// Fixes the number of frames of the section that begins with an orientation; 0: it
-/// follows from the length again. A section in which nothing changes always has 0
-/// frames. A path may have at most 100000000.
+/// follows from the length. A section in which nothing changes always has 0 frames. A
+/// path has at most 100000000.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_frames(
@@ -232,8 +229,7 @@ pub unsafe extern "C" fn v_path_set_frames(
     })
 }
 
-/// Gets the fixed frames of the section that begins with an orientation; 0: they follow
-/// from the length.
+/// Gets the fixed frames of a section, see v_path_set_frames().
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_frames(
@@ -267,8 +263,7 @@ pub unsafe extern "C" fn v_path_set_frames_locked(
     })
 }
 
-/// Gets whether the frames of the section that begins with an orientation are locked: 1
-/// or 0.
+/// Gets whether the frames of a section are locked: 1 or 0.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_frames_locked(
@@ -289,13 +284,13 @@ pub unsafe extern "C" fn v_path_get_frames_locked(
 
 /// Fixes the frames of all moving sections between two points, so that it takes exactly
 /// frames from the first pose at first_point to the last pose at last_point, holds
-/// included. 0 and the last point stand for the whole path, if closed with the way back
-/// to the first point. On a closed path first_point may be after last_point.
+/// included. 0 and the last point stand for the whole path, if closed with the way
+/// back. On a closed path first_point may be after last_point.
 ///
 /// Sections share the frames in proportion to those they have now (unrounded if they
-/// follow from the length, otherwise as fixed), at least one each, by largest
-/// remainder; ties go to the earlier section. Locked sections keep theirs. If frames is
-/// too small, v_last_error() returns the smallest possible number.
+/// follow from the length), at least one each, by largest remainder; ties go to the
+/// earlier section. Locked sections keep theirs. If frames is too small, v_last_error()
+/// returns the least.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_fit_frames(

@@ -137,8 +137,8 @@ pub unsafe extern "C" fn v_path_clone(path: *const V_PATH, copy: *mut *mut V_PAT
     })
 }
 
-/// Frees a path and makes its handle invalid. NULL is ignored. If another thread is
-/// using the path, its call completes normally.
+/// Frees a path. NULL is ignored. A call that another thread makes with it completes
+/// normally.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_free(path: *mut V_PATH) {
     border((), || {

@@ -73,16 +73,13 @@ pub unsafe extern "C" fn v_limits_init_sized(limits: *mut V_LIMITS, size: usize)
 }
 
 /// Recomputes the speed profile between the first orientation of one point and the last
-/// of another, as fast as the limits allow, in at most 40 rounds over the sections. The
-/// curve and the views do not change. The camera rests at the ends of an open path, at
-/// held keys, and where curve or view have a kink; v_last_warning() lists these. The
-/// sections get fixed frames, a distance curve and a curve time; the others keep their
-/// speed profile.
+/// of another, as fast as the limits allow, in at most 40 rounds over the sections.
+/// Curve and views do not change. The camera rests at the ends of an open path, at held
+/// keys, and where curve or view have a kink; v_last_warning() lists these. The
+/// sections get fixed frames, a distance curve and a curve time; others do not change.
 ///
 /// limits  NULL: the path's own, see v_path_set_limit()
-/// first_point, last_point  0 and the last point: the whole path, if closed with the
-///     way back to the first point. On a closed path first_point may be after
-///     last_point
+/// first_point, last_point  as for v_path_fit_frames()
 /// seconds  0: as few as the limits allow; otherwise this duration, to a whole frame,
 ///     with the lowest peaks; the last frame of the path counts, too
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT (no limit, one that is not
@@ -287,9 +284,9 @@ pub unsafe extern "C" fn v_tour_init_sized(tour: *mut V_TOUR, size: usize) {
 /// Takes the time of about 300 pictures, some seconds for a million triangles, and
 /// about 300 bytes per triangle.
 ///
-/// object  its triangles count. From outside, only the side that the normals point to
-///     is to be seen where neighbouring triangles agree about it, otherwise either side
-/// tour  NULL: the defaults of v_tour_init()
+/// object  its triangles count. From outside, only the side of the normals is to be
+///     seen where neighbouring triangles agree about it, otherwise either side
+/// tour  NULL: that of v_tour_init()
 /// coverage  the fraction shown of what can be seen; may be NULL
 /// v_last_warning() returns two lines: positions, coverage, length and seconds; and
 /// what remains unseen, and why.

@@ -27,8 +27,7 @@ pub(super) fn point<'a>(
 
 /// ==== Points ====
 ///
-/// Gets the number of points of a path, at least 2. (The thesis calls them support
-/// points.)
+/// Gets the number of points, at least 2. (The thesis calls them support points.)
 /// V_ERR_NULL, V_ERR_HANDLE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_point_count(path: *const V_PATH, count: *mut c_int) -> c_int {
@@ -42,8 +41,8 @@ pub unsafe extern "C" fn v_path_point_count(path: *const V_PATH, count: *mut c_i
 
 /// Inserts a point before the one at index at; if at is their number, appends it. It
 /// copies all other properties from the point before it, or from the one after it if at
-/// is 0; an absolute target equal to its position becomes relative. Coordinates are
-/// finite and at most 1e9 times half_size from the centre of the space.
+/// is 0; an absolute target equal to its position becomes relative. Coordinates are at
+/// most 1e9 times half_size from the centre of the space.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 /// cbindgen:ptrs-as-arrays=[[xyz; 3]]
 #[unsafe(no_mangle)]
@@ -60,9 +59,9 @@ pub unsafe extern "C" fn v_path_insert_point(
     })
 }
 
-/// Divides a segment with 1 to 10 new points on its curve, at equal arc lengths. As in
-/// 1994, they copy all other properties from the point before them, so the motion
-/// changes. v_path_insert_on_curve() keeps it, as the window's Pos.++ does.
+/// Divides a segment with 1 to 10 new points on its curve, at equal arc lengths. They
+/// copy all other properties from the point before them, so the motion changes;
+/// v_path_insert_on_curve() keeps it.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_divide_segment(
@@ -91,7 +90,7 @@ pub unsafe extern "C" fn v_path_remove_point(path: *mut V_PATH, at: c_int) -> c_
 }
 
 /// Moves a point, with its relative targets. Absolute ones stay in place and must not
-/// equal the position. Coordinates are limited as in v_path_insert_point().
+/// equal the position. Coordinates as in v_path_insert_point().
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[xyz; 3]]
 #[unsafe(no_mangle)]
@@ -208,7 +207,7 @@ pub unsafe extern "C" fn v_path_use_preset(path: *mut V_PATH, at: c_int, preset:
 }
 
 /// Gets the tension, continuity and bias in effect at a point, and its preset, or -1 if
-/// it has its own values. Any result may be NULL.
+/// it has its own values.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[tcb; 3]]
 #[unsafe(no_mangle)]

@@ -15,9 +15,8 @@ use crate::path::Pose;
 
 /// ==== Sections and poses ====
 ///
-/// Gets the number of sections of a path. A section leads from one orientation to the
-/// next, at the same point or at the next one. They count in the order in which the
-/// camera takes them.
+/// Gets the number of sections. A section leads from one orientation to the next, at
+/// the same point or at the next one, in the order in which the camera takes them.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_section_count(path: *const V_PATH, count: *mut c_int) -> c_int {
@@ -33,8 +32,7 @@ pub unsafe extern "C" fn v_path_section_count(path: *const V_PATH, count: *mut c
 }
 
 /// Gets the point and the orientation with which a section begins, its first frame, and
-/// its number of frames, without a hold at its end; 0 if nothing changes in it. Any
-/// result may be NULL.
+/// its number of frames, without a hold at its end; 0 if nothing changes in it.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_section_info(
@@ -151,8 +149,8 @@ pub unsafe extern "C" fn v_path_sample_range(
     })
 }
 
-/// Gets the pose at a frame, from 1 to v_path_frame_count(), also between two frames
-/// (1.5). At a whole frame it equals that of v_path_sample() bit for bit.
+/// Gets the pose at a frame. At a whole frame it equals that of v_path_sample() bit for
+/// bit.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_pose(path: *const V_PATH, frame: f64, pose: *mut V_POSE) -> c_int {
@@ -164,8 +162,8 @@ pub unsafe extern "C" fn v_path_pose(path: *const V_PATH, frame: f64, pose: *mut
     })
 }
 
-/// Gets the poses at count frames, as v_path_pose() does for one, in any order;
-/// ascending frames are fastest. poses must not overlap frames.
+/// Gets the poses at count frames, as v_path_pose() does, in any order; ascending ones
+/// are fastest. poses must not overlap frames.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_poses_at(
@@ -203,11 +201,11 @@ pub(super) fn frame_of(given: f64, frames: usize, name: Name) -> Answer<f64> {
         .ok_or(failure)
 }
 
-/// Makes a list of all poses as in 1994, see V_KAMERAPAR. first is your element and
-/// becomes the first; set its number before, to -1 if there is no data yet. A list that
-/// VIDES made there before is freed when the new one is complete; any other is
-/// forgotten but not freed. If the call fails, the old list is unchanged. No other
-/// thread may use the list meanwhile.
+/// Makes a list of all poses as in 1994, see V_KAMERAPAR. first is your element; set
+/// its number before, to -1 if there is no data yet. A list that VIDES made there
+/// before is freed when the new one is complete; any other is forgotten but not freed.
+/// If the call fails, the old list is unchanged. No other thread may use the list
+/// meanwhile.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_to_list(path: *const V_PATH, first: *mut V_KAMERAPAR) -> c_int {
@@ -223,10 +221,9 @@ pub unsafe extern "C" fn v_path_to_list(path: *const V_PATH, first: *mut V_KAMER
     })
 }
 
-/// Writes all poses of a path to a text file, one line each: VRP, VPN, VUP (x, y and z
-/// each) and zoom, as C prints them by "%3.4f", separated by one space. The decimal
-/// sign is a point in every locale, and minus zero is written as zero. The file is
-/// replaced atomically.
+/// Writes all poses of a path to a text file, replaced atomically, one line each: VRP,
+/// VPN, VUP (x, y and z each) and zoom, as C prints them by "%3.4f", separated by one
+/// space. The decimal sign is always a point; minus zero is written as zero.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_write_ascii(path: *const V_PATH, file: *const c_char) -> c_int {

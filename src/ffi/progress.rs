@@ -67,12 +67,10 @@ fn asked(share: f64) -> bool {
 
 /// ==== Progress ====
 ///
-/// Sets the function that reports the progress of the calling thread's long calls;
-/// NULL, the default: none. They call it at most ten times a second, not in the first
-/// tenth, and at least twice a second with up to a million triangles, except while they
-/// read the object at the start: about two seconds for a million. Long calls are
-/// v_path_fit_poses() and its variants, v_path_check(), v_path_retime(),
-/// v_path_steady(), v_path_avoid(), v_path_keep_in_picture() and v_path_tour().
+/// Sets the function that the calling thread's long calls (those with V_ERR_REFUSED,
+/// except v_editors_close()) call at most ten times a second, not in the first tenth;
+/// NULL, the default: none. With up to a million triangles they call it at least twice
+/// a second, except while they read the object: about two seconds for a million.
 ///
 /// progress  share is from 0 to 1, and may fall when another round begins. If it
 ///     returns 0, the call fails with V_ERR_REFUSED and changes nothing. It may call

@@ -10,10 +10,10 @@ use super::types::V_PATH;
 
 /// ==== Properties by name ====
 ///
-/// Sets a property of a path by its name, like `vides set`, atomically and in one step.
+/// Sets a property of a path by its name, like `vides set`, atomically.
 ///
 /// name  a key of .vid files (docs/files.md), points and orientations counted from 1:
-///     "closed", "fps", "point.2.position", "point.2.zoom" (of its first orientation),
+///     "closed", "point.2.position", "point.2.zoom" (of its first orientation),
 ///     "point.2.view.3.zoom" and so on
 /// value  as in the file: "30" or "[0, 1, 2]". Text needs no quotes; "" restores the
 ///     value of a new path

@@ -93,7 +93,7 @@ pub unsafe extern "C" fn v_quat_from_view(vpn: *const f64, vup: *const f64, q: *
     })
 }
 
-/// Gets the view direction and up vector of a quaternion. Any result may be NULL.
+/// Gets the view direction and up vector of a quaternion.
 /// V_ERR_NULL, V_ERR_ARGUMENT.
 /// cbindgen:ptrs-as-arrays=[[q; 4], [vpn; 3], [vup; 3]]
 #[unsafe(no_mangle)]

@@ -432,9 +432,9 @@ pub unsafe extern "C" fn v_scene_get_node(
 }
 
 /// Sets the values of a node; its kind does not change. If the parent changes,
-/// position, rotation and scale are read relative to the old parent and converted: the
-/// node keeps its place in the world at the scene's first frame. A node that moves can
-/// only change to a parent in the same place as the old one.
+/// position, rotation and scale are converted from the old one: the node keeps its
+/// place in the world at the scene's first frame. A node that moves can only change to
+/// a parent in the same place as the old one.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT (such as a cycle), V_ERR_RANGE,
 /// V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
@@ -457,8 +457,8 @@ pub unsafe extern "C" fn v_scene_set_node(
 
 /// ==== What moves a node ====
 ///
-/// Makes a node follow a path; NULL: none. Pose n of the path is shown at the scene's
-/// frame start_frame + n - 1. It moves position, rotation and zoom, in the parent's
+/// Makes a node follow a path; NULL: none. Pose n is shown at the scene's frame
+/// start_frame + n - 1. The path moves position, rotation and zoom in the parent's
 /// coordinates; a node with a track for one of them cannot have a path.
 ///
 /// after  V_AFTER_HOLD, V_AFTER_REPEAT or V_AFTER_PINGPONG; before the path, too

@@ -39,8 +39,7 @@ unsafe fn answer_count(
 
 /// ==== What has been set in a scene ====
 ///
-/// Gets start_frame and after of a node's path, see v_scene_set_path(). Any result may
-/// be NULL.
+/// Gets start_frame and after of a node's path, see v_scene_set_path().
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (it follows none), V_ERR_RANGE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_start(
@@ -122,7 +121,7 @@ pub unsafe extern "C" fn v_scene_marker_count(scene: *const V_SCENE, count: *mut
     })
 }
 
-/// Gets a marker; they are sorted by name. Any result may be NULL.
+/// Gets a marker; they are sorted by name.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_marker(
@@ -172,8 +171,7 @@ pub unsafe extern "C" fn v_scene_pin_count(scene: *const V_SCENE, count: *mut c_
     })
 }
 
-/// Gets a pin as set by v_scene_pin(); they are sorted by node and point. Any result
-/// may be NULL.
+/// Gets a pin of v_scene_pin(); they are sorted by node and point.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_pin(
@@ -199,8 +197,8 @@ pub unsafe extern "C" fn v_scene_get_pin(
     })
 }
 
-/// Gets the geometry of an object at rest, as set or read from a file; 0 points if it
-/// has none. The arrays are valid until the scene is changed or freed.
+/// Gets the geometry of an object at rest; 0 points if it has none. The arrays are
+/// valid until the scene is changed or freed.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT (no object), V_ERR_RANGE,
 /// V_ERR_BUSY.
 #[unsafe(no_mangle)]

@@ -15,7 +15,7 @@ use crate::tools::check::FindingKind;
 
 /// ==== What a scene is called ====
 ///
-/// Sets the title of a scene, like v_path_set_title().
+/// Sets the title, like v_path_set_title().
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_title(scene: *mut V_SCENE, title: *const c_char) -> c_int {
@@ -25,7 +25,7 @@ pub unsafe extern "C" fn v_scene_set_title(scene: *mut V_SCENE, title: *const c_
     })
 }
 
-/// Gets the title of a scene.
+/// Gets the title.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_title(
@@ -43,7 +43,7 @@ pub unsafe extern "C" fn v_scene_get_title(
     })
 }
 
-/// Sets the comment of a scene, like v_path_set_comment().
+/// Sets the comment, like v_path_set_comment().
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_comment(scene: *mut V_SCENE, comment: *const c_char) -> c_int {
@@ -53,7 +53,7 @@ pub unsafe extern "C" fn v_scene_set_comment(scene: *mut V_SCENE, comment: *cons
     })
 }
 
-/// Gets the comment of a scene.
+/// Gets the comment.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_comment(
@@ -78,7 +78,7 @@ pub unsafe extern "C" fn v_scene_set_fps(scene: *mut V_SCENE, fps: f64) -> c_int
     border(V_ERR_INTERNAL, || set_info(scene, "fps", fps))
 }
 
-/// Gets the frame rate in frames per second.
+/// Gets the frame rate.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_fps(scene: *const V_SCENE, fps: *mut f64) -> c_int {
@@ -154,8 +154,7 @@ pub unsafe extern "C" fn v_scene_get_limit(
 /// ==== What is shown of a scene ====
 ///
 /// Sets the camera that is shown; -1: the first one on a path, or the first one if none
-/// is. The choice follows the node when numbers change, is removed with it, and is
-/// saved.
+/// is. The choice follows the node, is removed with it, and is saved.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no camera), V_ERR_RANGE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_camera(scene: *mut V_SCENE, node: c_int) -> c_int {
@@ -177,8 +176,8 @@ pub unsafe extern "C" fn v_scene_get_camera(scene: *const V_SCENE, node: *mut c_
     })
 }
 
-/// Sets the first and last frame of a scene, which are saved; if first > last, they
-/// follow from all paths and keys, see v_scene_frame_range().
+/// Sets the first and last frame of a scene; if first > last, they follow from all
+/// paths and keys. They are saved.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT (more than
 /// 100000000 frames), V_ERR_BUSY.
 #[unsafe(no_mangle)]

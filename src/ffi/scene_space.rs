@@ -30,7 +30,7 @@ pub unsafe extern "C" fn v_scene_set_space(
     })
 }
 
-/// Gets the space of a scene. Any result may be NULL.
+/// Gets the space of a scene.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
 /// cbindgen:ptrs-as-arrays=[[centre; 3]]
 #[unsafe(no_mangle)]

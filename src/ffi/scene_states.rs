@@ -32,7 +32,7 @@ fn report(document: &SceneDocument, warnings: &Warnings) {
 /// ==== The scene at a frame ====
 ///
 /// Gets the first and last frame: those of v_scene_set_range(), otherwise those of all
-/// paths and keys; 1 and 1 if nothing moves. Any result may be NULL.
+/// paths and keys; 1 and 1 if nothing moves.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_frame_range(

@@ -65,21 +65,20 @@ fn width(scene: *const V_SCENE, node: usize, channel: &Channel, euler: bool) -> 
 /// Sets the keys of a channel, replacing older ones; 0 keys remove the track.
 ///
 /// channel  "position", "rotation" (w x y z), "scale", "visible" (0 or 1); for cameras
-///     "roll" (degrees) and, unless they follow a path, "zoom" (mm, as in V_POSE); for
-///     lights "colour", "intensity", "cone"; for objects "colour", "weights" (one per
-///     shape) and "deformation.N.NAME" (N from 0; NAME as listed for v_deform()); for
-///     cameras and lights "aim_weight" (0 to 1); and "value:NAME" or "value:NAME:W", W
-///     numbers (1 to 16) for your own use
+///     "roll" (degrees) and, unless they follow a path, "zoom" (mm); for lights
+///     "colour", "intensity", "cone"; for objects "colour", "weights" (one per shape)
+///     and "deformation.N.NAME" (N from 0; NAME of v_deform()); for cameras and lights
+///     "aim_weight" (0 to 1); for your own use "value:NAME" or "value:NAME:W" with W
+///     numbers (1 to 16)
 /// interpolation  "step", "linear", "ramp", "sine", "parabolic", "catmull-rom",
 ///     "hermite", "tcb", "cubic" (not for rotations), "host:NAME"; for rotations also
-///     "euler-linear" and "euler-catmull-rom", with three numbers per key: yaw, pitch
-///     and roll in degrees. "visible" takes only "step"
+///     "euler-linear" and "euler-catmull-rom", with yaw, pitch and roll in degrees per
+///     key. "visible" takes only "step"
 /// frames  strictly increasing
 /// values  keys x width numbers, key by key
 /// shape  "hermite": the tangents before and after each key (2 x width, per frame);
 ///     "tcb": tension, continuity and bias of each key; otherwise NULL
-/// after  after the last key, V_AFTER_..., optionally | V_BEFORE_... for before the
-///     first one
+/// after  V_AFTER_..., optionally | V_BEFORE_...
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
 /// V_ERR_MEMORY.
 #[unsafe(no_mangle)]
@@ -286,8 +285,8 @@ impl Host {
 
 /// Registers a function as the interpolation "host:NAME" for all scenes of the process,
 /// replacing an older one; NULL removes it. name is NAME, with or without "host:". Any
-/// thread that evaluates a scene calls the function. It must not use scenes itself, and
-/// no longjmp() and no exception may leave it.
+/// thread that evaluates a scene calls it. It must not use scenes, and no longjmp() and
+/// no exception may leave it.
 /// V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_register_interpolation(
@@ -519,10 +518,9 @@ pub unsafe extern "C" fn v_scene_remove_deformation(
 }
 
 /// Deforms points in place. u, v, w run from -1 to 1 along the sides of the box (min x
-/// y z, max x y z); along a side of length 0 the coordinate is 0 and points do not
-/// move. Axes are 0, 1, 2. Angles are degrees in u, v, w: in a box that is not a cube,
-/// rotations are stretched with it. Tracks can animate the names in parentheses, see
-/// v_scene_set_track().
+/// y z, max x y z); along a side of length 0 they are 0 and points do not move. Axes
+/// are 0, 1, 2. Angles are degrees in u, v, w: in a box that is not a cube, rotations
+/// are stretched with it. Tracks can animate the names in parentheses.
 ///
 /// "taper"      axis a (a): the other two times 1 + (a-1)(1-u^2)
 /// "taper"      axis r0 r1 (r0 r1): from r0 at one end to r1 at the other

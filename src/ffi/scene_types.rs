@@ -53,7 +53,7 @@ pub const V_BEFORE_REPEAT: c_int = 16;
 pub const V_BEFORE_PINGPONG: c_int = 32;
 pub const V_BEFORE_OFFSET: c_int = 48;
 
-/// What a node keeps when its parent changes, see v_scene_set_parent().
+/// What a node keeps when its parent changes.
 pub const V_KEEP_PLACE: c_int = 0;
 pub const V_KEEP_NUMBERS: c_int = 1;
 

@@ -68,8 +68,8 @@ pub(super) unsafe fn comment_of(comment: *const c_char) -> Answer<String> {
 
 /// ==== What holds for the whole path ====
 ///
-/// Sets the base speeds of a path: the number of frames that each movement takes at
-/// speed 50, finite and > 0; a larger value is slower. v_haupt() calls them speeds.
+/// Sets the base speeds of a path: the frames that each movement takes at speed 50,
+/// finite and > 0; larger is slower. v_haupt() calls them speeds.
 ///
 /// move_frames  moving by half_size (v_path_set_space())
 /// turn_frames  turning by 180 degrees
@@ -99,7 +99,7 @@ pub unsafe extern "C" fn v_path_set_base_frames(
     })
 }
 
-/// Gets the base speeds. Any result may be NULL.
+/// Gets the base speeds.
 /// V_ERR_NULL, V_ERR_HANDLE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_base_frames(
@@ -180,7 +180,7 @@ pub unsafe extern "C" fn v_path_set_modes(
     })
 }
 
-/// Gets the modes. Any result may be NULL.
+/// Gets the modes.
 /// V_ERR_NULL, V_ERR_HANDLE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_modes(
@@ -274,7 +274,7 @@ pub unsafe extern "C" fn v_path_set_fps(path: *mut V_PATH, fps: f64) -> c_int {
     })
 }
 
-/// Gets the frame rate in frames per second.
+/// Gets the frame rate.
 /// V_ERR_NULL, V_ERR_HANDLE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_fps(path: *const V_PATH, fps: *mut f64) -> c_int {
@@ -286,8 +286,8 @@ pub unsafe extern "C" fn v_path_get_fps(path: *const V_PATH, fps: *mut f64) -> c
     })
 }
 
-/// Sets the number of the first pose in the user's film, by default 1, from which files
-/// in other formats count; the library counts poses from 1.
+/// Sets the number of the first pose in the user's film, by default 1. Files in other
+/// formats count from it, this library from 1.
 /// V_ERR_NULL, V_ERR_HANDLE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_first_frame(path: *mut V_PATH, number: c_int) -> c_int {
@@ -310,8 +310,8 @@ pub unsafe extern "C" fn v_path_get_first_frame(path: *const V_PATH, number: *mu
 }
 
 /// Sets the object that is shown with a path; NULL: none. The window draws its lines
-/// and the edges of its triangles; if lines have more than 1,000,000 points in all,
-/// only the points where they end or bend. v_path_check() uses the triangles.
+/// and the edges of its triangles; beyond 1,000,000 points of lines, only points where
+/// they end or bend. v_path_check() uses the triangles.
 /// V_ERR_NULL, V_ERR_SIZE, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT,
 /// V_ERR_MEMORY.
 #[unsafe(no_mangle)]

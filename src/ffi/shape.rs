@@ -46,9 +46,8 @@ pub unsafe extern "C" fn v_path_get_curve(path: *const V_PATH, kind: *mut *const
 }
 
 /// Gives a point custom tangents: the derivatives with which the curve reaches it
-/// (before) and leaves it (after), a segment counting 1. If both are NULL, it uses
-/// those of the curve's kind again. Coordinates are limited as in
-/// v_path_insert_point().
+/// (before) and leaves it (after), a segment counting 1; if both are NULL, those of the
+/// curve's kind again. Coordinates as in v_path_insert_point().
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[before; 3], [after; 3]]
 #[unsafe(no_mangle)]
@@ -72,9 +71,9 @@ pub unsafe extern "C" fn v_path_set_tangents(
     })
 }
 
-/// Gets the tangents of the curve at a point, and whether they are custom (1) or not
-/// (0). At an end of an open path both are equal. Setting these tangents does not
-/// change the curve, except for rounding in a cubic spline. Any result may be NULL.
+/// Gets the tangents of the curve at a point, equal at an end of an open path, and
+/// whether they are custom: 1 or 0. Setting these tangents does not change the curve,
+/// except for rounding in a cubic spline.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[before; 3], [after; 3]]
 #[unsafe(no_mangle)]
@@ -109,15 +108,14 @@ pub unsafe extern "C" fn v_path_get_tangents(
 }
 
 /// Inserts a point on the curve where the camera is at a frame, without changing the
-/// curve, any pose or the number of frames. The point gets the nearest whole frame
-/// within the section; a section of one frame becomes two, split where you ask. The
-/// neighbouring points get custom tangents, and orientations a custom angular velocity,
-/// custom slopes of zoom and roll, and a part of the old speed profile. Such tangents
-/// are removed when their point or a neighbour moves alone; v_path_set_tangents() makes
+/// curve, any pose or the number of frames. It gets the nearest whole frame within the
+/// section; a section of one frame becomes two, split where you ask. Neighbouring
+/// points get custom tangents, and orientations a custom angular velocity, custom
+/// slopes of zoom and roll, and a part of the old speed profile. Such tangents are
+/// removed when their point or a neighbour moves alone; v_path_set_tangents() makes
 /// them permanent.
 ///
-/// frame  from 1 to the number of frames, not at a key, not in a pan, not with
-///     V_ORIENTATION_BARRY_GOLDMAN
+/// frame  not at a key, not in a pan, not with V_ORIENTATION_BARRY_GOLDMAN
 /// at  index of the new point; may be NULL
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]

@@ -102,8 +102,7 @@ impl SpaceOut {
 
 /// ==== Where a path lies ====
 ///
-/// Sets the space of a path, a cube in your world; the path's coordinates do not
-/// change.
+/// Sets the space of a path, a cube in your world; coordinates do not change.
 ///
 /// centre  (0, 0, 0) in a new path
 /// half_size  half the length of its edge, 1e-30 to 1e30; 1 in a new path. Centre,
@@ -112,7 +111,7 @@ impl SpaceOut {
 ///
 /// Positions, offsets, tangents and lengths of a path are in your world's units. Base
 /// frames, limits (V_LIMITS, v_path_check()) and the distances below which nothing
-/// moves count in units of half_size: they mean the same in metres and in angstroms.
+/// moves count in units of half_size.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[centre; 3]]
 #[unsafe(no_mangle)]
@@ -129,7 +128,7 @@ pub unsafe extern "C" fn v_path_set_space(
     })
 }
 
-/// Gets the space of a path. Any result may be NULL.
+/// Gets the space of a path.
 /// V_ERR_NULL, V_ERR_HANDLE.
 /// cbindgen:ptrs-as-arrays=[[centre; 3]]
 #[unsafe(no_mangle)]
@@ -165,8 +164,8 @@ pub unsafe extern "C" fn v_space_init_sized(space: *mut V_SPACE, size: usize) {
     });
 }
 
-/// Makes a new path in a space, placed as the path of v_path_new() is in its own; the
-/// same as in a new window with this space. NULL: like v_path_new().
+/// Makes a new path in a space, placed as that of v_path_new() is in its own, as in a
+/// new window with this space. NULL: like v_path_new().
 /// V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_new_in_space(
@@ -187,8 +186,8 @@ pub unsafe extern "C" fn v_path_new_in_space(
 
 /// Changes the up axis of a path (V_UP_Y, V_UP_Z) without changing any pose, between
 /// frames too. Rolls are then measured from the new axis. Views that track a target or
-/// look ahead get the old axis as their up, "y" or "z" (v_path_set_up()); such an up
-/// that equals the new axis becomes "axis".
+/// look ahead get the old axis as their up, "y" or "z" (v_path_set_up()); one that
+/// equals the new axis becomes "axis".
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_change_up(path: *mut V_PATH, up: c_int) -> c_int {
@@ -197,11 +196,10 @@ pub unsafe extern "C" fn v_path_change_up(path: *mut V_PATH, up: c_int) -> c_int
     })
 }
 
-/// Makes an orientation look like the camera of a pose, such as your program's own, for
-/// a path with this up axis (V_UP_Y, V_UP_Z). Sets a relative target, the pose's vpn,
-/// and roll and zoom; everything else in *orientation is unchanged, so call
-/// v_orientation_init() before. vpn and vup may have any length but 0, and must not be
-/// parallel.
+/// Makes an orientation look like the camera of a pose, for a path with this up axis
+/// (V_UP_Y, V_UP_Z): sets a relative target, the pose's vpn, and roll and zoom.
+/// Everything else in *orientation is unchanged: call v_orientation_init() before. vpn
+/// and vup have any length but 0 and are not parallel.
 /// V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE (zoom, up).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_orientation_from_pose(

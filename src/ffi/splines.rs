@@ -68,9 +68,8 @@ pub unsafe extern "C" fn v_quat_spline(
     })
 }
 
-/// Like v_quat_spline(), on a cubic spherical curve with tension, continuity and bias.
-///
-/// tcb  tension, continuity and bias of each key, each from -1 to 1; NULL: all zero
+/// Like v_quat_spline(), on a cubic spherical curve. tcb has tension, continuity and
+/// bias of each key, from -1 to 1; NULL: all zero.
 /// V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 /// cbindgen:ptrs-as-arrays=[[q; 4]]
 #[unsafe(no_mangle)]
@@ -102,7 +101,7 @@ pub unsafe extern "C" fn v_quat_tcb_spline(
 /// ==== Toolbox: speed curve ====
 ///
 /// Gets speed and distance on the speed curve of a section: ten speeds from 1 to 100 at
-/// u = 0, 1/9, ... 1, smoothly joined, never leaving 1 to 100. Any result may be NULL.
+/// u = 0, 1/9, ... 1, smoothly joined, never leaving 1 to 100.
 ///
 /// before, after  the adjacent speed of the section before and after; NULL: no section
 /// u  from 0 to 1

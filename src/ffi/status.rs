@@ -30,11 +30,10 @@ pub const V_VERSION_PATCH: c_int = 0;
 ///
 /// V_OK            done
 /// V_ERR_NULL      a pointer that must not be NULL is NULL
-/// V_ERR_HANDLE    the handle is not valid: freed, of another kind, never made, or a
-///                 window of another thread
-/// V_ERR_ARGUMENT  a value is not valid: not a finite number, a target on the camera, an
-///                 up vector along the view, a text that is not UTF-8, a pointer that is
-///                 not aligned for its type
+/// V_ERR_HANDLE    not a valid handle: freed, of another kind, never made, or a window of
+///                 another thread
+/// V_ERR_ARGUMENT  a value is not valid: not finite, a target on the camera, an up vector
+///                 along the view, a text that is not UTF-8, a misaligned pointer
 /// V_ERR_RANGE     an index or a value is out of range, or NaN where a range applies
 /// V_ERR_SIZE      an array is too small, or the size of a struct is not set
 /// V_ERR_LIMIT     more points, orientations, poses or bytes than the library allows
@@ -42,9 +41,8 @@ pub const V_VERSION_PATCH: c_int = 0;
 /// V_ERR_IO        the operating system refused to read or write a file
 /// V_ERR_FORMAT    the contents of a file are not valid; v_last_error() names the place
 /// V_ERR_DISPLAY   no window can be opened, or its X server went away
-/// V_ERR_BUSY      not possible at this moment, for example within this callback
-/// V_ERR_CLOSED    the window is gone (see V_GONE_...), or the thread that opened it has
-///                 ended; v_last_error() returns which
+/// V_ERR_BUSY      not possible now, for example within this callback
+/// V_ERR_CLOSED    the window is gone (V_GONE_...), or its thread has ended
 /// V_ERR_INTERNAL  a fault of the library; the path or scene concerned may be unusable
 ///                 from now on, everything else works
 /// V_ERR_REFUSED   the user or a callback refused
@@ -436,20 +434,20 @@ pub(super) fn with_last_error(show: impl FnOnce(&[u8])) {
 
 /// ==== Errors, warnings, the version of the library ====
 ///
-/// Returns why the calling thread's last call failed: one sentence in English, UTF-8,
-/// "" after a success; never NULL. A sentence longer than 1023 bytes is shortened in
-/// the middle. It names parameters as this header does (path, options->title), and
-/// counts likewise. The text is valid until the same thread's next call of any function
-/// except this one, v_last_warning(), v_strerror() and v_version().
+/// Returns why the calling thread's last call failed: one sentence in English, "" after
+/// a success; never NULL. One longer than 1023 bytes is shortened in the middle. It
+/// names parameters as this header does (path, options->title), and counts likewise. It
+/// is valid until the same thread's next call of any function except this one,
+/// v_last_warning(), v_strerror() and v_version().
 #[unsafe(no_mangle)]
 pub extern "C" fn v_last_error() -> *const c_char {
     with_message(|message| message.text.as_ptr().cast())
 }
 
 /// Returns the warnings of the calling thread's last call of a function whose comment
-/// mentions them: sentences in English, UTF-8, or ""; never NULL. If the text would
-/// exceed 1023 bytes, the sentence that does not fit is shortened in the middle. The
-/// text is valid until the same thread's next call of such a function.
+/// mentions them: sentences in English, or ""; never NULL. If they would exceed 1023
+/// bytes, the one that does not fit is shortened in the middle. They are valid until
+/// the same thread's next call of such a function.
 #[unsafe(no_mangle)]
 pub extern "C" fn v_last_warning() -> *const c_char {
     with(&WARNING, |message| message.text.as_ptr().cast())

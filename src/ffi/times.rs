@@ -42,10 +42,9 @@ fn course(document: &Document) -> Answer<(usize, f64)> {
 
 /// ==== Time and motion ====
 ///
-/// Gets the frame that is shown at a time from 0 to (v_path_frame_count() - 1) / fps
-/// seconds: 1 + seconds * fps (v_path_set_fps()), which may lie between two whole
-/// frames. For the time of a whole frame from v_path_seconds_at_frame(), it is exactly
-/// that frame.
+/// Gets the frame that is shown at a time from 0 to (v_path_frame_count() - 1) / fps: 1
+/// + seconds * fps. For the time of a whole frame from v_path_seconds_at_frame(), it is
+/// exactly that frame.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_frame_at_seconds(
@@ -80,8 +79,6 @@ pub unsafe extern "C" fn v_path_frame_at_seconds(
 }
 
 /// Gets the time in seconds at which a frame is shown: (frame - 1) / fps.
-///
-/// frame  from 1 to v_path_frame_count(), also between two whole frames
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_seconds_at_frame(
@@ -100,9 +97,7 @@ pub unsafe extern "C" fn v_path_seconds_at_frame(
 
 /// Gets the motion of the camera at a frame: lengths in the units of the positions,
 /// seconds by v_path_set_fps(). At a key it is the motion after the key; at the last
-/// frame, the motion before it.
-///
-/// frame  from 1 to v_path_frame_count(), also between two whole frames
+/// frame, before it.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_motion(

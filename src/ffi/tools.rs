@@ -50,10 +50,10 @@ fn range(document: &Document, first: c_int, last: c_int) -> Answer<Vec<usize>> {
 
 /// ==== Tools ====
 ///
-/// Makes a path by a ready-made move, at 25 frames per second; all its sections have
-/// one speed. parameters has the numbers in the order below, a position as three; those
-/// after count have the defaults in parentheses. Headings are seen from the target: 0
-/// is towards +z, 90 towards +x.
+/// Makes a path by a ready-made move, at 25 frames per second and one speed. parameters
+/// has the numbers in the order below, a position as three; those after count have the
+/// defaults in parentheses. Headings are seen from the target: 0 is towards +z, 90
+/// towards +x.
 ///
 /// "orbit"  on a circle round a target
 ///     around x y z (0), radius (1), height (0.4), from degrees (0), turns (1),
@@ -133,8 +133,8 @@ pub unsafe extern "C" fn v_path_from_move_in_space(
 /// their custom tangents.
 ///
 /// matrix  column by column, without shear; its last row is 0 0 0 1
-/// with_targets  1: targets, views and rolls are transformed too; 0: absolute targets
-///     stay in place, relative ones keep their direction
+/// with_targets  1: with targets, views and rolls; 0: absolute targets stay in place,
+///     relative ones keep their direction
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (shear, or a point would be at its own
 /// target), V_ERR_RANGE, V_ERR_MEMORY.
 /// cbindgen:ptrs-as-arrays=[[matrix; 16]]
@@ -167,10 +167,8 @@ fn zero_or_one(number: c_int, name: &'static str) -> Answer<bool> {
 }
 
 /// Deforms the points from first_point to last_point like v_deform(), with their custom
-/// tangents.
-///
-/// box  NULL: the bounds of the points' positions
-/// with_targets  1: their targets are deformed too; 0: they are unchanged
+/// tangents, and with their targets (with_targets 1) or not (0). box NULL: the bounds
+/// of the points.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 /// cbindgen:ptrs-as-arrays=[[box; 6]]
 #[unsafe(no_mangle)]
@@ -227,12 +225,12 @@ pub unsafe extern "C" fn v_path_extract(
 }
 
 /// Inserts a copy of another path, block, which may be the same, after the point at
-/// index at. The block keeps its curve, with its targets, and so does the rest of the
-/// path; where they join, both have the same direction.
+/// index at. The block keeps its curve and targets, the rest of the path its curve;
+/// where they join, both have the same direction.
 ///
 /// Except with V_FIT_NONE, the block's first point is merged with that point, which
-/// keeps its views; with V_FIT_SCALE its last point is likewise merged with the next
-/// point. A closed block ends where it begins. Duplicate names get a number.
+/// keeps its views; with V_FIT_SCALE its last point likewise with the next one. A
+/// closed block ends where it begins. Duplicate names get a number.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no direction, or no length to scale),
 /// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
@@ -289,12 +287,10 @@ pub unsafe extern "C" fn v_path_repeat(path: *mut V_PATH, count: c_int) -> c_int
 }
 
 /// Makes the weighted sum of paths, point by point: positions, curve, targets, roll,
-/// zoom and speeds. Paths with fewer points are first resampled by length to the
-/// largest number. Fixed frames (rounded), angular velocities and slopes are blended
-/// where every path has them. Everything else comes from the path with the greatest
-/// weight.
-///
-/// weights  count numbers with the sum 1
+/// zoom and speeds; fixed frames (rounded), angular velocities and slopes where every
+/// path has them. Paths with fewer points are first resampled by length to the largest
+/// number. Everything else comes from the path with the greatest weight. The count
+/// weights have the sum 1.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_blend(

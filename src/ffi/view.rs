@@ -112,9 +112,8 @@ pub unsafe extern "C" fn v_pose_gl_matrix(pose: *const V_POSE, m: *mut f64) -> c
 }
 
 /// Returns the vertical field of view, in degrees, of a lens of zoom mm and a picture
-/// that is height mm high: 2 atan (height / (2 zoom)). For the zoom of a V_POSE, height
-/// is 24. Returns NaN, with the reason in v_last_error(), unless both are finite and >
-/// 0.
+/// height mm high: 2 atan (height / (2 zoom)). For the zoom of a V_POSE, height is 24.
+/// Returns NaN, with the reason in v_last_error(), unless both are finite and > 0.
 #[unsafe(no_mangle)]
 pub extern "C" fn v_fov_from_zoom(zoom: f64, height: f64) -> f64 {
     border(f64::NAN, || Ok(fov_from_zoom(zoom, height)?))
