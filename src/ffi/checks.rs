@@ -137,7 +137,7 @@ pub unsafe extern "C" fn v_path_fit_poses_in_space(
 
 /// Like v_path_fit_poses_in_space(), but ignores outliers: poses that differ by more
 /// than the tolerance from what their neighbours suggest. *left_out receives their
-/// number, and may be NULL; v_last_warning() returns it with the first one, or "".
+/// number, and may be NULL; v_last_warning() returns it and the first one, or "".
 /// V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY,
 /// V_ERR_REFUSED.
 #[unsafe(no_mangle)]
@@ -289,8 +289,8 @@ pub unsafe extern "C" fn v_path_check(
     })
 }
 
-/// Sets the limit of a kind of finding, see v_path_check(); INFINITY disables the kind.
-/// The file keeps it.
+/// Sets the limit of a kind of finding (v_path_check()), which is saved; INFINITY
+/// disables the kind.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no such kind), V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_limit(

@@ -46,7 +46,7 @@ pub(super) fn between(value: f64, end: f64, name: &'static str) -> Answer<f64> {
 
 /// ==== The curve ====
 ///
-/// Gets the length of the whole curve, in the units of the positions.
+/// Gets the length of the whole curve.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_length(path: *const V_PATH, length: *mut f64) -> c_int {
@@ -78,8 +78,7 @@ pub unsafe extern "C" fn v_path_segment_length(
     })
 }
 
-/// Gets the position on a segment at the spline's parameter t, from 0 to 1 (not a
-/// fraction of the length).
+/// Gets the position on a segment at the spline's parameter t, 0 to 1.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
 /// cbindgen:ptrs-as-arrays=[[xyz; 3]]
 #[unsafe(no_mangle)]
@@ -98,8 +97,8 @@ pub unsafe extern "C" fn v_path_curve_point(
     })
 }
 
-/// Gets the position on a segment at the distance s from its start along the curve,
-/// from 0 to the length of the segment.
+/// Gets the position on a segment at the distance s along the curve, from 0 to the
+/// segment's length.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
 /// cbindgen:ptrs-as-arrays=[[xyz; 3]]
 #[unsafe(no_mangle)]

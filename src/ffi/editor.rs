@@ -99,8 +99,8 @@ pub unsafe extern "C" fn v_editor_options_init(options: *mut V_EDITOR_OPTIONS) {
     });
 }
 
-/// Like v_editor_options_init(), for a struct of size bytes. Sets size to what was
-/// filled in; bytes after the fields that the library knows are unchanged. A struct
+/// Like v_editor_options_init(), for a struct of size bytes; size becomes what was
+/// filled in. Bytes after the fields that the library knows are unchanged. A struct
 /// shorter than in version 1.0 is unchanged, and v_last_error() returns the reason.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_options_init_sized(options: *mut V_EDITOR_OPTIONS, size: usize) {
@@ -406,8 +406,7 @@ pub unsafe extern "C" fn v_editor_close(editor: *mut V_EDITOR) -> c_int {
     })
 }
 
-/// Gets a copy of the path in a window; in a scene, that of the camera shown
-/// (v_scene_get_camera()).
+/// Gets a copy of the path in a window; in a scene, that of the camera shown.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no camera, or it follows no
 /// path), V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]

@@ -27,8 +27,8 @@ fn travel(
 
 /// ==== Steps of a window ====
 ///
-/// Undoes the last step of a window, like Ctrl-Z. A window keeps the last 10,000 steps,
-/// and at most 256 MiB of what they changed.
+/// Undoes the last step of a window, like Ctrl-Z. It keeps the last 10,000 steps, and
+/// at most 256 MiB of what they changed.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (nothing to undo).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_undo(editor: *mut V_EDITOR) -> c_int {
@@ -47,8 +47,8 @@ pub unsafe extern "C" fn v_editor_redo(editor: *mut V_EDITOR) -> c_int {
 }
 
 /// Begins a group of changes in a window, yours and the user's, that the user undoes as
-/// one step, until v_editor_end_step(). It replaces a group begun before; loading
-/// another document in the window ends it.
+/// one step. It replaces a group begun before; loading another document in the window
+/// ends it.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_begin_step(editor: *mut V_EDITOR) -> c_int {

@@ -79,8 +79,8 @@ pub unsafe extern "C" fn v_editor_set_frame(editor: *mut V_EDITOR, frame: c_doub
     })
 }
 
-/// Plays the flight from the playhead, or from the beginning if that is at the end;
-/// play 0 stops. It starts when the window is next served, even if it is not visible.
+/// Plays the flight from the playhead, or from the beginning if that is at the end,
+/// when the window is next served, even if it is not visible; 0 stops.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_play(editor: *mut V_EDITOR, play: c_int) -> c_int {
@@ -122,8 +122,8 @@ pub unsafe extern "C" fn v_editor_set_object(
     })
 }
 
-/// Sets the text after "VIDES" in the window's title: one line (control characters are
-/// shown as spaces); NULL: the name of the file.
+/// Sets the text after "VIDES" in the window's title, one line (control characters
+/// become spaces); NULL: the name of the file.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_set_title(editor: *mut V_EDITOR, title: *const c_char) -> c_int {
@@ -153,9 +153,8 @@ pub unsafe extern "C" fn v_editor_is_modified(
     })
 }
 
-/// Marks the contents of a window as saved, after your program has kept them, for
-/// example from v_editor_get_path(). Until the next change they are not offered at the
-/// next start.
+/// Marks the contents of a window as saved, after your program has kept them: until the
+/// next change they are not offered at the next start.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_mark_saved(editor: *mut V_EDITOR) -> c_int {
@@ -167,9 +166,8 @@ pub unsafe extern "C" fn v_editor_mark_saved(editor: *mut V_EDITOR) -> c_int {
     })
 }
 
-/// Saves the contents of a window to a .vid file, replacing an existing one; the window
-/// edits that file from then on. NULL: its own file, unless another program has changed
-/// it meanwhile.
+/// Saves the contents of a window to a .vid file, which it edits from then on. NULL:
+/// its own file, unless another program has changed it.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no file yet, or changed by
 /// others), V_ERR_IO, V_ERR_MEMORY.
 #[unsafe(no_mangle)]

@@ -39,14 +39,12 @@ fn finite(numbers: [(f64, &'static str); 3]) -> Answer<()> {
 
 /// ==== Speed profile ====
 ///
-/// Gets distance and speed of an ease: speeding up, cruising and slowing down.
+/// Gets distance and speed of an ease at t, from 0 to 1: the fraction of the distance
+/// covered, 0 to 1, and its derivative.
 ///
 /// kind  V_EASE_...
 /// rise, fall  fractions of the time for speeding up and slowing down, not negative,
 ///     together at most 1
-/// t  from 0 to 1
-/// distance  fraction of the distance covered at t, 0 to 1
-/// speed  its derivative
 /// V_ERR_ARGUMENT, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_ease(
@@ -152,9 +150,9 @@ pub unsafe extern "C" fn v_path_get_ease(
 /// Sets the distance as a function of time in a section (point, at), instead of ten
 /// speeds or an ease. It runs smoothly through the keys and never goes back.
 ///
-/// time_way  pairs (fraction of the time, fraction of the distance), from 0, 0 to 1, 1,
-///     both increasing
-/// keys  number of pairs, 2 to 32; 0: back to the ten speeds; time_way is ignored
+/// time_way  pairs (fraction of the time, of the distance), from 0, 0 to 1, 1, both
+///     increasing
+/// keys  number of pairs, 2 to 32; 0: back to the ten speeds
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_distance(

@@ -113,7 +113,7 @@ pub(super) fn edit_and<R>(
 /// ==== Paths ====
 ///
 /// Makes a new path: two points at (-0.6, 0.2, 0.8) and (0.6, 0.2, 0.8), each with one
-/// orientation as of v_orientation_init().
+/// orientation of v_orientation_init().
 /// V_ERR_NULL, V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_new(path: *mut *mut V_PATH) -> c_int {
@@ -149,8 +149,8 @@ pub unsafe extern "C" fn v_path_free(path: *mut V_PATH) {
     });
 }
 
-/// Reads a path from a .vid file; from a scene (see v_scene_load()), the path of the
-/// camera shown: saving that to the same file would lose the rest.
+/// Reads a path from a .vid file; of a scene, the path of the camera shown: saving that
+/// to the same file would lose the rest.
 /// V_ERR_NULL, V_ERR_IO, V_ERR_FORMAT, V_ERR_ARGUMENT (no camera, or it follows no
 /// path), V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
@@ -165,8 +165,8 @@ pub unsafe extern "C" fn v_path_load(file: *const c_char, path: *mut *mut V_PATH
     })
 }
 
-/// Like v_path_load(), from the text of a .vid file in memory: size bytes of UTF-8,
-/// which need not be zero-terminated.
+/// Like v_path_load(), from the text of a .vid file: size bytes, which need not be
+/// zero-terminated.
 /// V_ERR_NULL, V_ERR_FORMAT, V_ERR_ARGUMENT, V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_load_from_memory(

@@ -54,7 +54,7 @@ fn limits(given: &V_LIMITS) -> Answer<Limits> {
 /// ==== Planning ====
 ///
 /// Fills in the defaults of v_path_check(): acceleration 10, turning 60,
-/// turning_acceleration 300, zoom 30, and no other limits.
+/// turning_acceleration 300, zoom 30; no other limits.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_limits_init(limits: *mut V_LIMITS) {
     border((), || {
@@ -158,8 +158,8 @@ pub unsafe extern "C" fn v_path_steady(path: *mut V_PATH, seconds: f64, within: 
 /// do not change. v_last_warning() returns a line for each changed part, or "".
 ///
 /// Each part takes at most a few searches of a grid with 96 cells along its longest
-/// side. A distance query takes the logarithm of the number of triangles; if they
-/// overlap widely, up to that number.
+/// side; a distance query, the logarithm of the number of triangles, up to that number
+/// if they overlap widely.
 ///
 /// object  in the coordinates of the path; NULL: the path's own
 /// clearance, radius  in the path's units; clearance > 0, radius of the sphere 0 or
@@ -199,11 +199,10 @@ pub const V_PICTURE_DISTANCE: c_int = 1;
 pub const V_PICTURE_VIEW: c_int = 2;
 
 /// Keeps an object whole in the picture less margin, at every frame and between. With
-/// zoom or distance the object is as large as the margin and the path's limits of zoom,
-/// or of speed and acceleration, allow (v_path_set_limit()); with the view the camera
-/// turns no more than necessary. Frames and speed profile do not change. Points are
-/// added where keys are not enough. Takes 20 positions per frame, each tried at most 60
-/// times.
+/// zoom or distance it is as large as the margin and the path's limits of zoom, or of
+/// speed and acceleration, allow; with the view the camera turns no more than
+/// necessary. Frames and speed profile do not change; points are added where keys are
+/// not enough. Takes 20 positions per frame, each tried at most 60 times.
 ///
 /// object  in the coordinates of the path; NULL: the path's own, with the objects of
 ///     its scene

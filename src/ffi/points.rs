@@ -124,8 +124,7 @@ pub unsafe extern "C" fn v_path_get_position(
     })
 }
 
-/// Moves a point with all its properties to another index; the points between shift by
-/// one.
+/// Moves a point to another index; the points between shift by one.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_move_point(path: *mut V_PATH, from: c_int, to: c_int) -> c_int {
@@ -263,7 +262,7 @@ pub unsafe extern "C" fn v_path_set_preset(
     })
 }
 
-/// Gets the tension, continuity and bias of a preset, 0 to 9.
+/// Gets a preset, 0 to 9.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[tcb; 3]]
 #[unsafe(no_mangle)]

@@ -116,8 +116,7 @@ pub unsafe extern "C" fn v_path_sample(
     })
 }
 
-/// Writes count poses of v_path_sample(), from frame first on, to your array: a long
-/// path in pieces.
+/// Writes count poses of v_path_sample(), from frame first on, to your array.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE (first is 0, or there are fewer poses),
 /// V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
@@ -201,11 +200,10 @@ pub(super) fn frame_of(given: f64, frames: usize, name: Name) -> Answer<f64> {
         .ok_or(failure)
 }
 
-/// Makes a list of all poses as in 1994, see V_KAMERAPAR. first is your element; set
-/// its number before, to -1 if there is no data yet. A list that VIDES made there
-/// before is freed when the new one is complete; any other is forgotten but not freed.
-/// If the call fails, the old list is unchanged. No other thread may use the list
-/// meanwhile.
+/// Makes a list of all poses, see V_KAMERAPAR. first is your element; set its number
+/// before, to -1 if there is no data yet. A list that VIDES made there before is freed
+/// when the new one is complete, and unchanged if the call fails; any other is
+/// forgotten but not freed. No other thread may use the list meanwhile.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_to_list(path: *const V_PATH, first: *mut V_KAMERAPAR) -> c_int {

@@ -33,7 +33,7 @@ pub unsafe extern "C" fn v_path_set_property(
     })
 }
 
-/// Gets the value of a property as written in a .vid file, "" if it has none.
+/// Gets the value of a property as in a .vid file, "" if it has none.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE (no such
 /// property), V_ERR_MEMORY.
 #[unsafe(no_mangle)]

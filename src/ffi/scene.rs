@@ -198,8 +198,7 @@ pub unsafe extern "C" fn v_scene_new(scene: *mut *mut V_SCENE) -> c_int {
 /// An object is left empty if its mesh is in a separate file that is missing or
 /// malformed, or outside the folder of the .vid file once links are followed
 /// (v_scene_load_geometry() reads it from anywhere); a mesh file that has changed is
-/// read as it is. The call then still returns V_OK, and v_last_warning() reports it; ""
-/// otherwise.
+/// read as it is. v_last_warning() reports this, or returns "".
 /// V_ERR_NULL, V_ERR_IO, V_ERR_FORMAT, V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_load(file: *const c_char, scene: *mut *mut V_SCENE) -> c_int {
@@ -212,9 +211,9 @@ pub unsafe extern "C" fn v_scene_load(file: *const c_char, scene: *mut *mut V_SC
     })
 }
 
-/// Like v_scene_load(), from the text of a .vid file in memory: size bytes of UTF-8,
-/// which need not be zero-terminated. Relative names of mesh files are looked up in the
-/// current directory.
+/// Like v_scene_load(), from the text of a .vid file: size bytes, which need not be
+/// zero-terminated. Relative names of mesh files are looked up in the current
+/// directory.
 /// V_ERR_NULL, V_ERR_FORMAT, V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_load_from_memory(
@@ -340,8 +339,8 @@ pub(super) fn copied_name(text: &str) -> Answer<String> {
 }
 
 /// Removes a node with all its descendants. The numbers of later nodes decrease; nodes
-/// that aimed at a removed one no longer aim. Removing many in a row costs no more than
-/// removing one, even if you read the number of nodes, names and nodes in between.
+/// that aimed at a removed one no longer aim. Removing many in a row costs as much as
+/// one, even if you read the number of nodes, names and nodes in between.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_remove_node(scene: *mut V_SCENE, node: c_int) -> c_int {

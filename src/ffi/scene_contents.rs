@@ -303,8 +303,8 @@ pub unsafe extern "C" fn v_scene_deformation_count(
     })
 }
 
-/// Gets the kind, parameters and box of an object's deformation. Where it uses the
-/// bounds of the geometry, box is 1 1 1 -1 -1 -1, which no other box is; give
+/// Gets the kind, parameters and box of an object's deformation. A box of 1 1 1 -1 -1
+/// -1, which no other is, stands for the bounds of the geometry: give
 /// v_scene_add_deformation() NULL then. Any result may be NULL.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT (no object), V_ERR_RANGE,
 /// V_ERR_BUSY.

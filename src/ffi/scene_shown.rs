@@ -90,8 +90,8 @@ pub unsafe extern "C" fn v_scene_get_fps(scene: *const V_SCENE, fps: *mut f64) -
     })
 }
 
-/// Sets the number shown to users for the scene's frame 1, by default 1. The library's
-/// functions always use the scene's own frames.
+/// Sets the number shown to users for frame 1, by default 1. This library always uses
+/// the scene's own frames.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_first_frame(scene: *mut V_SCENE, number: c_int) -> c_int {
@@ -100,7 +100,7 @@ pub unsafe extern "C" fn v_scene_set_first_frame(scene: *mut V_SCENE, number: c_
     })
 }
 
-/// Gets the number shown to users for the scene's frame 1.
+/// Gets the number shown to users for frame 1.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_first_frame(
@@ -115,7 +115,7 @@ pub unsafe extern "C" fn v_scene_get_first_frame(
     })
 }
 
-/// Sets the limit of a kind of finding, like v_path_set_limit().
+/// Sets the limit of a finding, like v_path_set_limit().
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no such kind), V_ERR_RANGE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_limit(
@@ -133,7 +133,7 @@ pub unsafe extern "C" fn v_scene_set_limit(
     })
 }
 
-/// Gets the limit of a kind of finding.
+/// Gets the limit of a finding.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no such kind), V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_limit(

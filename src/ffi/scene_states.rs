@@ -56,8 +56,8 @@ pub unsafe extern "C" fn v_scene_frame_range(
 /// result may be NULL.
 ///
 /// If a "host:" interpolation is not registered, fails or returns a number that is not
-/// finite, its channel steps from key to key. The call then still returns V_OK, and
-/// v_last_warning() reports it; "" otherwise.
+/// finite, its channel steps from key to key; v_last_warning() reports it, or returns
+/// "".
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT,
 /// V_ERR_BUSY, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
@@ -149,9 +149,8 @@ pub unsafe extern "C" fn v_scene_sample(
     })
 }
 
-/// Gets the value of a channel (see v_scene_set_track()) at a frame, with or without a
-/// track; *width receives the number of its components. Any result may be NULL.
-/// v_last_warning() as for v_scene_evaluate().
+/// Gets the value of a channel at a frame, with or without a track, and the number of
+/// its components. Any result may be NULL. v_last_warning() as for v_scene_evaluate().
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT,
 /// V_ERR_BUSY, V_ERR_MEMORY.
 #[unsafe(no_mangle)]

@@ -228,9 +228,9 @@ pub unsafe extern "C" fn v_scene_get_track(
 }
 
 /// Computes the value of a channel at a frame between its first and last key, from the
-/// frames of the keys and their values, width numbers per key. It writes width numbers
-/// to value and returns V_OK; if it returns anything else, or writes a number that is
-/// not finite, the channel steps from key to key.
+/// frames and the values of the keys, width numbers each. It writes width numbers to
+/// value and returns V_OK; if it returns anything else, or writes a number that is not
+/// finite, the channel steps from key to key.
 pub type V_INTERPOLATE = Option<
     unsafe extern "C" fn(
         frames: *const f64,
@@ -336,9 +336,8 @@ pub unsafe extern "C" fn v_scene_set_geometry(
 }
 
 /// Reads the geometry of an object from an OBJ, PLY, STL or glTF file, by its
-/// extension. A saved .vid file then refers to that file instead of containing the
-/// points, by a relative name if it is in the same folder or below; v_scene_load()
-/// reads it again.
+/// extension. A saved .vid file refers to that file instead of containing the points,
+/// by a relative name if it is in the same folder or below.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO, V_ERR_FORMAT, V_ERR_ARGUMENT, V_ERR_RANGE,
 /// V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
 #[unsafe(no_mangle)]

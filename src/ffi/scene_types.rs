@@ -18,8 +18,8 @@ pub struct v_scene {
 /// A handle for a scene (see V_PATH): a tree of nodes that move on one timeline.
 ///
 /// Inside a function given to v_register_interpolation(), functions that take a V_SCENE
-/// fail with V_ERR_BUSY, except v_scene_free(). A text of a scene (const char **) is
-/// valid until the same thread's next call that returns one.
+/// fail with V_ERR_BUSY, except v_scene_free(). A text that they return is valid until
+/// the same thread's next call that returns one.
 pub type V_SCENE = v_scene;
 
 /// ==== Kinds of nodes, and how motions go on ====
@@ -57,14 +57,13 @@ pub const V_BEFORE_OFFSET: c_int = 48;
 pub const V_KEEP_PLACE: c_int = 0;
 pub const V_KEEP_NUMBERS: c_int = 1;
 
-/// A node at rest. Its local matrix is T(position) T(pivot) R S T(-pivot); its world
-/// matrix is its parent's times the local one. Lights and cameras look along their own
-/// +z axis with +y up and have pivot 0. Values that a kind of node does not have are
+/// A node at rest. Its local matrix is T(position) T(pivot) R S T(-pivot), its world
+/// matrix its parent's times the local one. Lights and cameras look along their own +z
+/// axis with +y up and have pivot 0. Values that a kind of node does not have are
 /// ignored.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct v_node {
-    /// sizeof (V_NODE)
     pub size: usize,
     /// V_NODE_...
     pub kind: c_int,
@@ -74,7 +73,7 @@ pub struct v_node {
     pub visible: c_int,
     /// lights and cameras: the node at whose pivot it looks; -1: none
     pub aim: c_int,
-    /// the point that the node turns and scales about
+    /// what the node turns and scales about
     pub pivot: [f64; 3],
     pub position: [f64; 3],
     /// w x y z, of any length but 0
@@ -125,7 +124,6 @@ pub type V_NODE_STATE = v_node_state;
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct v_mesh {
-    /// sizeof (V_MESH)
     pub size: usize,
     /// three numbers per point
     pub xyz: *const f64,

@@ -72,8 +72,8 @@ pub unsafe extern "C" fn v_path_set_tangents(
 }
 
 /// Gets the tangents of the curve at a point, equal at an end of an open path, and
-/// whether they are custom: 1 or 0. Setting these tangents does not change the curve,
-/// except for rounding in a cubic spline.
+/// whether they are custom: 1 or 0. Setting them does not change the curve, except for
+/// rounding in a cubic spline.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[before; 3], [after; 3]]
 #[unsafe(no_mangle)]
@@ -113,10 +113,9 @@ pub unsafe extern "C" fn v_path_get_tangents(
 /// points get custom tangents, and orientations a custom angular velocity, custom
 /// slopes of zoom and roll, and a part of the old speed profile. Such tangents are
 /// removed when their point or a neighbour moves alone; v_path_set_tangents() makes
-/// them permanent.
+/// them permanent. *at receives its index; it may be NULL.
 ///
 /// frame  not at a key, not in a pan, not with V_ORIENTATION_BARRY_GOLDMAN
-/// at  index of the new point; may be NULL
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_insert_on_curve(

@@ -100,12 +100,11 @@ pub unsafe extern "C" fn v_quat_tcb_spline(
 
 /// ==== Toolbox: speed curve ====
 ///
-/// Gets speed and distance on the speed curve of a section: ten speeds from 1 to 100 at
-/// u = 0, 1/9, ... 1, smoothly joined, never leaving 1 to 100.
+/// Gets, at u from 0 to 1, the speed and the fraction of the distance on the speed
+/// curve of a section: ten speeds from 1 to 100 at u = 0, 1/9, ... 1, smoothly joined,
+/// never leaving 1 to 100.
 ///
 /// before, after  the adjacent speed of the section before and after; NULL: no section
-/// u  from 0 to 1
-/// distance_fraction  the fraction of the distance covered at u, 0 to 1
 /// V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[speed; 10]]
 #[unsafe(no_mangle)]

@@ -436,9 +436,9 @@ pub(super) fn with_last_error(show: impl FnOnce(&[u8])) {
 ///
 /// Returns why the calling thread's last call failed: one sentence in English, "" after
 /// a success; never NULL. One longer than 1023 bytes is shortened in the middle. It
-/// names parameters as this header does (path, options->title), and counts likewise. It
-/// is valid until the same thread's next call of any function except this one,
-/// v_last_warning(), v_strerror() and v_version().
+/// names parameters (path, options->title) and counts as this header does. It is valid
+/// until the same thread's next call of any function except this one, v_last_warning(),
+/// v_strerror() and v_version().
 #[unsafe(no_mangle)]
 pub extern "C" fn v_last_error() -> *const c_char {
     with_message(|message| message.text.as_ptr().cast())
@@ -453,7 +453,7 @@ pub extern "C" fn v_last_warning() -> *const c_char {
     with(&WARNING, |message| message.text.as_ptr().cast())
 }
 
-/// Returns the meaning of a status, in English; never NULL, constant.
+/// Returns the meaning of a status, in English; never NULL.
 #[unsafe(no_mangle)]
 pub extern "C" fn v_strerror(status: c_int) -> *const c_char {
     match status {
@@ -477,7 +477,7 @@ pub extern "C" fn v_strerror(status: c_int) -> *const c_char {
     .as_ptr()
 }
 
-/// Returns the version of the library in use, as "1.0.0"; never NULL, constant.
+/// Returns the version of the library in use, as "1.0.0"; never NULL.
 #[unsafe(no_mangle)]
 pub extern "C" fn v_version() -> *const c_char {
     concat!(env!("CARGO_PKG_VERSION"), "\0").as_ptr().cast()

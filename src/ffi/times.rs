@@ -10,19 +10,18 @@ use super::status::{Answer, Failure, V_ERR_INTERNAL};
 use super::types::V_PATH;
 use crate::document::Document;
 
-/// The motion of a camera at a frame, see v_path_motion().
+/// The motion of a camera at a frame.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct v_motion {
-    /// sizeof (V_MOTION)
     pub size: usize,
-    /// length of the path since the first frame
+    /// along the path since the first frame
     pub distance: f64,
-    /// length of the path per second
+    /// length per second
     pub speed: f64,
-    /// degrees per second by which the camera turns, rolling included
+    /// degrees per second, rolling included
     pub turning: f64,
-    /// curvature of the path, 1 / radius; 0 where the camera holds or turns on the spot
+    /// 1 / radius; 0 where the camera holds or turns on the spot
     pub curvature: f64,
 }
 

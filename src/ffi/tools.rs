@@ -135,8 +135,8 @@ pub unsafe extern "C" fn v_path_from_move_in_space(
 /// matrix  column by column, without shear; its last row is 0 0 0 1
 /// with_targets  1: with targets, views and rolls; 0: absolute targets stay in place,
 ///     relative ones keep their direction
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (shear, or a point would be at its own
-/// target), V_ERR_RANGE, V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (shear, or a point at its own target),
+/// V_ERR_RANGE, V_ERR_MEMORY.
 /// cbindgen:ptrs-as-arrays=[[matrix; 16]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_transform(
@@ -269,15 +269,15 @@ pub unsafe extern "C" fn v_path_insert_path(
 }
 
 /// Reverses a path: the film shows the same poses in reverse order. Views that look
-/// ahead then look ahead in the new direction.
+/// ahead do so in the new direction.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_reverse(path: *mut V_PATH) -> c_int {
     border(V_ERR_INTERNAL, || edit(path, Edit::Reverse))
 }
 
-/// Repeats a path count times. Each repetition begins where the last one ended, and its
-/// targets move with it; a closed path is run through count times.
+/// Repeats a path count times. Each repetition begins where the last one ended, with
+/// its targets; a closed path is run through count times.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_repeat(path: *mut V_PATH, count: c_int) -> c_int {

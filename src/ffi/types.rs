@@ -24,7 +24,7 @@ pub struct v_punkt {
 
 pub type V_PUNKT = v_punkt;
 
-/// The same type by the name that the other structs use.
+/// The same type by the name that other structs use.
 pub type V_POS = V_PUNKT;
 
 /// One point of the wireframe object that v_haupt() shows.
@@ -48,9 +48,9 @@ pub type V_OBJEKT_LIST = V_OBJEKT_LISTE;
 /// is the first. A list of one element points to itself.
 ///
 /// The first element is yours and must outlive the list. Before the first hand-over set
-/// its number to -1: no data yet, prev and next have no meaning. VIDES allocates the
-/// others with malloc(), so that you may free() them; v_free_liste() does that too. The
-/// next list reuses them.
+/// its number to -1: no data yet; prev and next have no meaning. VIDES allocates the
+/// others with malloc(), so that you or v_free_liste() may free() them. The next list
+/// reuses them.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct interpolparameter {
@@ -60,8 +60,8 @@ pub struct interpolparameter {
     pub VPN: V_POS,
     /// up; length 1, perpendicular to VPN
     pub VUP: V_POS,
-    /// 1 to 100, rounded; 100 for any larger zoom. The vertical field of view is 2 atan
-    /// (12 / zoom)
+    /// 1 to 100, rounded, 100 for any larger; the vertical field of view is 2 atan (12
+    /// / zoom)
     pub zoom: c_int,
     pub prev: *mut interpolparameter,
     pub next: *mut interpolparameter,
@@ -77,8 +77,8 @@ pub struct v_path {
 
 /// ==== The types of the new interface ====
 ///
-/// A handle for a camera path. It is not an address: using a handle that was freed or
-/// never made, or freeing it twice, is harmless and fails with V_ERR_HANDLE.
+/// A handle for a camera path, not an address: using one that was freed or never made,
+/// or freeing it twice, is harmless and fails with V_ERR_HANDLE.
 pub type V_PATH = v_path;
 
 /// A camera pose. This layout will never change.
@@ -98,12 +98,11 @@ pub struct v_pose {
 
 pub type V_POSE = v_pose;
 
-/// An orientation: how the camera looks at a point of the path, and how it moves on
-/// from there. The window calls it a view.
+/// How the camera looks at a point of the path, and how it moves on from there. The
+/// window calls an orientation a view.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct v_orientation {
-    /// sizeof (V_ORIENTATION)
     pub size: usize,
     /// not 0: target is a point in the world; 0: an offset from the path's point, of
     /// which only the direction matters
@@ -128,12 +127,11 @@ pub struct v_orientation {
 pub type V_ORIENTATION = v_orientation;
 
 /// A view as defined by PHIGS. The eye is on the side that normal points to, so it
-/// looks against normal. Everything except vrp, normal and up is in the view's own
+/// looks against normal. Everything except vrp, normal and up is in the view's
 /// coordinates u (right), v (up), n (along normal), with the origin at vrp.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct v_view {
-    /// sizeof (V_VIEW)
     pub size: usize,
     /// view reference point, world
     pub vrp: [f64; 3],
@@ -164,8 +162,8 @@ pub struct v_editor {
 /// ==== Editor windows ====
 ///
 /// A handle for an editor window (see V_PATH). On any thread but the one that opened
-/// it, its functions fail with V_ERR_HANDLE. Free it with v_editor_close(), even if the
-/// user has closed the window.
+/// it, its functions fail with V_ERR_HANDLE. Free it even if the user has closed the
+/// window.
 pub type V_EDITOR = v_editor;
 
 /// ==== Reasons of callbacks ====
@@ -176,8 +174,7 @@ pub type V_EDITOR = v_editor;
 /// V_VIEW_EDITED    something is being dragged or was changed
 /// V_VIEW_SCRUBBED  another frame was chosen
 /// V_VIEW_PLAYED    the window is playing
-/// V_VIEW_RESTED    nothing moves any more; ends each series of the others: draw in full
-///                  quality
+/// V_VIEW_RESTED    nothing moves any more; ends each series: draw in full quality
 pub const V_VIEW_SELECTED: c_int = 0;
 pub const V_VIEW_EDITED: c_int = 1;
 pub const V_VIEW_SCRUBBED: c_int = 2;
@@ -203,12 +200,10 @@ pub const V_GONE_FAULT: c_int = 4;
 pub const V_UP_Y: c_int = 1;
 pub const V_UP_Z: c_int = 2;
 
-/// The space of a path: a cube in your world, see v_path_set_space(). v_space_init()
-/// fills in that of a new path.
+/// The space of a path: a cube in your world, see v_path_set_space().
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct v_space {
-    /// sizeof (V_SPACE)
     pub size: usize,
     /// its centre
     pub centre: [f64; 3],
@@ -225,7 +220,6 @@ pub type V_SPACE = v_space;
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct v_limits {
-    /// sizeof (V_LIMITS)
     pub size: usize,
     /// length per second
     pub speed: f64,
@@ -245,19 +239,18 @@ pub struct v_limits {
 
 pub type V_LIMITS = v_limits;
 
-/// Options of a tour that shows an object, see v_path_tour().
+/// Options of v_path_tour().
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct v_tour {
-    /// sizeof (V_TOUR)
     pub size: usize,
     /// duration of the flight, > 0
     pub seconds: f64,
     /// fraction, by area, of the visible surface to show: > 0, at most 1
     pub coverage: f64,
-    /// distance of the camera from what it shows; 0: chosen by VIDES
+    /// of the camera from what it shows; 0: chosen by VIDES
     pub distance: f64,
-    /// not 0: in the free space inside the object instead of around it
+    /// not 0: in the free space inside the object, not around it
     pub inside: c_int,
     /// not 0: begins at start; 0: a closed tour
     pub has_start: c_int,
@@ -274,12 +267,11 @@ pub type V_TOUR = v_tour;
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct v_editor_options {
-    /// sizeof (V_EDITOR_OPTIONS)
     pub size: usize,
     /// text after "VIDES" in the title, one line; NULL: the name of the file
     pub title: *const c_char,
-    /// a .vid file to start with and to save to; one that does not exist yet is a new
-    /// path of that name; NULL: none
+    /// a .vid file to start with and to save to; if it does not exist yet, a new path
+    /// of that name; NULL: none
     pub file: *const c_char,
     /// a path to start with; NULL: a new one, or that of file. Not together with file
     pub path: *const V_PATH,
@@ -319,7 +311,7 @@ pub struct v_editor_options {
     pub space_half_size: f64,
     pub space_up: c_int,
     /// called with the camera at the playhead whenever it has changed, at most 60 times
-    /// a second, even if the window is covered, iconified or not shown. reason is one
+    /// a second, even if the window is covered, iconified or not shown; reason is one
     /// of V_VIEW_.... The pose is valid until it returns. After a call of more than 30
     /// ms the next one waits as long; the last pose always arrives. NULL: none
     pub on_view: Option<
@@ -331,27 +323,26 @@ pub struct v_editor_options {
             user: *mut c_void,
         ),
     >,
-    /// called when the path in the window has changed: after each step, undo and redo,
-    /// not during a drag, even if the window is not visible; steps within a sixtieth of
-    /// a second are combined. A tool's preview before OK is no change, nor for on_view,
-    /// on_frame and on_poses. NULL: none
+    /// called when the path in the window has changed, even if it is not visible: after
+    /// each step, undo and redo, not during a drag; steps within a sixtieth of a second
+    /// are combined. A tool's preview before OK is no change, nor for on_view, on_frame
+    /// and on_poses. NULL: none
     pub on_change: Option<unsafe extern "C" fn(editor: *mut V_EDITOR, user: *mut c_void)>,
     /// called when the user adds your program's view to the path (Ctrl-Enter): fill in
     /// your camera and return 1, or return 0 if you have none. vpn and vup have any
-    /// length but 0 and are not parallel. NULL: the window uses the view of
-    /// v_editor_set_view()
+    /// length but 0 and are not parallel. NULL: the view of v_editor_set_view()
     pub on_capture: Option<
         unsafe extern "C" fn(editor: *mut V_EDITOR, pose: *mut V_POSE, user: *mut c_void) -> c_int,
     >,
     /// called when the camera pane opens, changes its size in pixels, or closes (window
-    /// 0, sizes 0). Draw in it what the camera sees, and again at each Expose: in the
-    /// pane, which has the screen's own visual, or in a child window of any visual that
-    /// you create there, which is kept at its size. A pane is never destroyed while the
-    /// process lives: it is unmapped, a child in it is moved to the root window and
-    /// unmapped, and then this is called. When the editor closes, also by
-    /// v_editor_close(), this is called after its window is gone; its handle may then
-    /// be freed already. Not called when the thread ends. On a server without XFIXES or
-    /// SHAPE there is no pane. NULL: the editor draws the picture itself
+    /// 0, sizes 0). Draw in it what the camera sees, again at each Expose: in the pane,
+    /// which has the screen's own visual, or in a child window of any visual that you
+    /// create there and that is kept at its size. A pane is never destroyed while the
+    /// process lives: it is unmapped, a child is moved to the root window and unmapped,
+    /// and then this is called. When the editor closes, also by v_editor_close(), that
+    /// is after its window is gone; its handle may be freed already. Not called when
+    /// the thread ends. Without XFIXES or SHAPE there is no pane. NULL: the editor
+    /// draws the picture itself
     pub on_pane: Option<
         unsafe extern "C" fn(
             editor: *mut V_EDITOR,
@@ -365,11 +356,11 @@ pub struct v_editor_options {
     pub host_name: *const c_char,
     /// an X window of the display, of any depth, which the editor fills as its child;
     /// 0: a top-level window. If it is destroyed, or the editor's window is moved to
-    /// the root, the editor closes without calling on_close, and unsaved work is
-    /// offered at the next start. V_ERR_ARGUMENT if it is not a window
+    /// the root, the editor closes without on_close, and unsaved work is offered at the
+    /// next start. V_ERR_ARGUMENT if it is not a window
     pub parent: c_ulong,
-    /// your window that the editor belongs to and that window managers keep it above;
-    /// 0: none. V_ERR_ARGUMENT if it is not a window
+    /// your window, above which window managers keep the editor; 0: none.
+    /// V_ERR_ARGUMENT if it is not a window
     pub transient_for: c_ulong,
     /// name of the program: the first half of WM_CLASS, by which desktops group windows
     /// and unsaved work is found again; NULL: that of the running program
@@ -379,21 +370,20 @@ pub struct v_editor_options {
     pub hand_over_saves: c_int,
     /// for programs that draw the scene themselves (v_editor_get_scene(),
     /// v_scene_evaluate()): called with the scene's frame at the playhead and
-    /// V_VIEW_... when that frame or the scene has changed; as often as on_view. NULL:
+    /// V_VIEW_... when that frame or the scene has changed, as often as on_view. NULL:
     /// none
     pub on_frame: Option<
         unsafe extern "C" fn(editor: *mut V_EDITOR, frame: f64, reason: c_int, user: *mut c_void),
     >,
-    /// the view that your program's picture shows when the window opens. A new path
-    /// begins with it and leads to the right, around what is in the middle of the
-    /// picture; on_view is called only when the camera has changed, so that opening the
-    /// window does not move your picture. NULL: a new path looks at the object, and
-    /// on_view is called at once
+    /// what your program's picture shows when the window opens. A new path begins with
+    /// it and leads to the right, around what is in the middle of the picture; on_view
+    /// is called only when the camera has changed: opening the window does not move
+    /// your picture. NULL: a new path looks at the object, and on_view is called at
+    /// once
     pub view: *const V_POSE,
-    /// called once, after the window is gone, so that your program can show its own
-    /// view again. reason is one of V_GONE_.... You may free the handle here; any other
-    /// use of it fails with V_ERR_CLOSED. Not called when v_editor_close() closes the
-    /// window or its thread ends. NULL: none
+    /// called once, after the window is gone; reason is one of V_GONE_.... You may free
+    /// the handle here; any other use of it fails with V_ERR_CLOSED. Not called when
+    /// v_editor_close() closes the window or its thread ends. NULL: none
     pub on_gone:
         Option<unsafe extern "C" fn(editor: *mut V_EDITOR, reason: c_int, user: *mut c_void)>,
 }

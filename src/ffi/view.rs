@@ -49,9 +49,9 @@ unsafe impl Growing for V_VIEW {
 ///
 /// Gets the matrix from world coordinates to the canonical volume of a view: 16
 /// numbers, row by row, for column vectors, m times (x, y, z, 1). In a parallel
-/// projection, x and y are then from -1 to 1, and z is 0 in the front plane and -1 in
-/// the back plane. In a perspective projection, |x| and |y| are at most z, and z is 1
-/// in the back plane.
+/// projection, x and y are then from -1 to 1, z 0 in the front plane and -1 in the back
+/// plane; in a perspective projection, |x| and |y| at most z, and z 1 in the back
+/// plane.
 /// V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT (up parallel to normal), V_ERR_RANGE (prp not
 /// in front of the front plane, back plane not behind it, empty window).
 /// cbindgen:ptrs-as-arrays=[[m; 16]]
@@ -67,9 +67,9 @@ pub unsafe extern "C" fn v_view_matrix(view: *const V_VIEW, m: *mut f64) -> c_in
     })
 }
 
-/// Gets the perspective view of a camera in a pose. aspect is the width of the picture
-/// divided by its height; front and back are the distances of the planes from the
-/// camera, 0 < front < back.
+/// Gets the perspective view of a camera in a pose. aspect is the picture's width
+/// divided by its height; front and back are the planes' distances from the camera, 0 <
+/// front < back.
 /// V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_view_from_pose(
