@@ -159,7 +159,7 @@ pub unsafe extern "C" fn v_pose_matrix(
 /// zoom  zoom of the pose, finite and > 0; from a vertical angle:
 ///     v_zoom_from_fov(angle, 24)
 /// V_ERR_NULL, V_ERR_ARGUMENT (a matrix that mirrors, shears, projects or is not
-/// finite; zoom), V_ERR_RANGE (convention).
+/// finite), V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[m; 16]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_pose_from_matrix(
@@ -194,7 +194,7 @@ pub unsafe extern "C" fn v_pose_from_matrix(
 /// angles  degrees about x, y and z, listed so for any order. The second turn is within
 ///     -90 to 90, the others within -180 to 180. If it is 90 or -90, the others turn
 ///     about the same axis and share its angle
-/// V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE (convention, order).
+/// V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[angles; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_pose_to_euler(
@@ -217,7 +217,7 @@ pub unsafe extern "C" fn v_pose_to_euler(
 
 /// Gets the pose of a camera at position vrp, turned by three angles: the inverse of
 /// v_pose_to_euler(). Any finite angles are valid; zoom is finite and > 0.
-/// V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE (convention, order).
+/// V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[vrp; 3], [angles; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_pose_from_euler(

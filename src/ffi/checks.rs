@@ -214,9 +214,9 @@ unsafe fn fitted(
     watched(|go_on| Ok(fit(poses, seconds, fps, options, go_on)?))
 }
 
-/// Finds what will look wrong in the film: jerks, flips, collisions. Writes one finding
-/// per kind and run of frames to your array, in the order of the frames. Lengths are in
-/// units of the space's half_size. In parentheses: the default limits.
+/// Finds what will look wrong: jerks, flips, collisions. Writes one finding per kind
+/// and run of frames to your array, in their order. Lengths are in units of the space's
+/// half_size. In parentheses: the default limits.
 ///
 /// "space"         the camera is outside the space by more than the limit (0)
 /// "cusp"          curve or speed nearly stop in a section (0.02 of the mean)
@@ -251,8 +251,8 @@ unsafe fn fitted(
 ///
 /// object  the obstacle, in the coordinates of the path; NULL: the path's own, with its
 ///     faces, if it has one
-/// v_last_warning() returns notes: that the camera is inside the object all the time,
-/// and what was ignored (moving objects, the motion of the camera's parent); or "".
+/// v_last_warning() returns notes, or "": that the camera is always inside the object,
+/// and what was ignored (moving objects, the motion of the camera's parent).
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT (an object without geometry),
 /// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED.
 #[unsafe(no_mangle)]

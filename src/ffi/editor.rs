@@ -151,11 +151,10 @@ unsafe impl Growing for V_EDITOR_OPTIONS {
 /// Opens an editor window and returns at once; see v_fd() for how your program serves
 /// it. options NULL: the defaults. Call it from the thread that runs the event loop.
 ///
-/// The callbacks run there, also while your program shows a modal dialog, since its
-/// loop serves the window too. They may call any function. No longjmp() and no
-/// exception may leave them; an exception that does ends the program, after a line on
-/// standard error that names the callback. When the thread ends, its window is closed,
-/// with a line on standard error.
+/// The callbacks run there, also while your program shows a modal dialog, whose loop
+/// serves the window too. No longjmp() and no exception may leave them; an exception
+/// that does ends the program, after a line on standard error that names the callback.
+/// When the thread ends, its window is closed, with a line on standard error.
 /// V_ERR_NULL, V_ERR_SIZE, V_ERR_HANDLE (of path), V_ERR_ARGUMENT, V_ERR_RANGE,
 /// V_ERR_IO and V_ERR_FORMAT (of file), V_ERR_DISPLAY, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]

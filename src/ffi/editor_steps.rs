@@ -71,8 +71,7 @@ pub unsafe extern "C" fn v_editor_end_step(editor: *mut V_EDITOR) -> c_int {
 }
 
 /// Gets the current point and orientation.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no path of its scene is
-/// edited).
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no path is edited).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_get_selection(
     editor: *const V_EDITOR,

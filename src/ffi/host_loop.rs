@@ -83,7 +83,7 @@ pub extern "C" fn v_dispatch() -> c_int {
 /// Serves the windows until the last one is closed, sleeping in between. Returns at
 /// once without windows.
 /// V_ERR_BUSY (inside a callback), V_ERR_DISPLAY (a window was destroyed or its X
-/// server went away; after all have closed), V_ERR_LIMIT (no more descriptors).
+/// server went away; after all have closed), V_ERR_LIMIT (no descriptors).
 #[unsafe(no_mangle)]
 pub extern "C" fn v_main_loop() -> c_int {
     border(V_ERR_INTERNAL, || {

@@ -36,8 +36,8 @@ fn command(
 
 /// ==== The window and the host's own picture ====
 ///
-/// Shows your program's camera in a window, as a ghost that the user can add to the
-/// path as a point; NULL hides it. vpn and vup have any length but 0.
+/// Shows your program's camera as a ghost, which the user can add to the path as a
+/// point; NULL hides it. vpn and vup have any length but 0.
 ///
 /// Changes that a callback makes with the functions of this section or with
 /// v_editor_set_path() do not cause further callbacks.
@@ -202,7 +202,7 @@ pub unsafe extern "C" fn v_editor_raise(editor: *mut V_EDITOR) -> c_int {
 /// program with Xt, in the context that this thread ran last; no longjmp() and no
 /// exception may leave their callbacks. A second call meanwhile raises that window.
 /// V_ERR_REFUSED (the windows before that one are closed), V_ERR_BUSY (within a
-/// callback, or while an earlier call asks), V_ERR_DISPLAY, V_ERR_LIMIT (no more
+/// callback, or while an earlier call asks), V_ERR_DISPLAY, V_ERR_LIMIT (no
 /// descriptors).
 #[unsafe(no_mangle)]
 pub extern "C" fn v_editors_close(ask: c_int) -> c_int {

@@ -160,8 +160,8 @@ pub unsafe extern "C" fn v_path_orientation_count(
     })
 }
 
-/// Inserts an orientation before the one at index at; if at is their number, appends
-/// it. NULL copies the one before it, or the first one if at is 0.
+/// Inserts an orientation before index at; if at is their number, appends it. NULL
+/// copies the one before it, or the first one if at is 0.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_SIZE, V_ERR_LIMIT,
 /// V_ERR_MEMORY.
 #[unsafe(no_mangle)]
@@ -264,7 +264,7 @@ pub unsafe extern "C" fn v_path_set_absolute(
 }
 
 /// Makes an orientation look ahead along the path instead of at its target. Between two
-/// with the same distance and the same up, the camera looks ahead throughout.
+/// orientations with the same distance and up, the camera looks ahead throughout.
 ///
 /// distance  0: along the tangent; > 0: at the position this far ahead on the curve,
 ///     straight on beyond its end, at most 1e9 times half_size; < 0: no longer ahead,
@@ -315,8 +315,8 @@ pub unsafe extern "C" fn v_path_get_ahead(
 }
 
 /// Sets which way is up for an orientation, before its roll, whether it looks at a
-/// target or ahead. Between two with the same view and the same up, the camera keeps
-/// both throughout.
+/// target or ahead. Between two orientations with the same view and up, the camera
+/// keeps both throughout.
 ///
 /// up  "axis"     the up axis of the space, the default
 ///     "point"    towards up_point
@@ -363,9 +363,8 @@ const UPS: [&CStr; 7] = [
     c"axis", c"point", c"path", c"minimal", c"frenet", c"y", c"z",
 ];
 
-/// Gets which way is up for an orientation: its name (constant), the point of "point",
-/// otherwise zeros, and an open path with the curve of "path", which you free,
-/// otherwise NULL.
+/// Gets the up of an orientation (constant), the point of "point" or zeros, and an open
+/// path with the curve of "path", which you free, or NULL.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 /// cbindgen:ptrs-as-arrays=[[up_point; 3]]
 #[unsafe(no_mangle)]

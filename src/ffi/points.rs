@@ -39,10 +39,10 @@ pub unsafe extern "C" fn v_path_point_count(path: *const V_PATH, count: *mut c_i
     })
 }
 
-/// Inserts a point before the one at index at; if at is their number, appends it. It
-/// copies all other properties from the point before it, or from the one after it if at
-/// is 0; an absolute target equal to its position becomes relative. Coordinates are at
-/// most 1e9 times half_size from the centre of the space.
+/// Inserts a point before index at; if at is their number, appends it. It copies all
+/// other properties from the point before it, or from the one after it if at is 0; an
+/// absolute target equal to its position becomes relative. Coordinates are at most 1e9
+/// times half_size from the centre of the space.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 /// cbindgen:ptrs-as-arrays=[[xyz; 3]]
 #[unsafe(no_mangle)]

@@ -31,8 +31,8 @@ pub unsafe extern "C" fn v_path_section_count(path: *const V_PATH, count: *mut c
     })
 }
 
-/// Gets the point and the orientation with which a section begins, its first frame, and
-/// its number of frames, without a hold at its end; 0 if nothing changes in it.
+/// Gets the point and orientation with which a section begins, its first frame, and its
+/// number of frames without a hold at its end; 0 if nothing changes in it.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_section_info(
@@ -76,7 +76,7 @@ pub unsafe extern "C" fn v_path_section_info(
     })
 }
 
-/// Gets the number of frames of a path, at least 1.
+/// Gets the number of frames, at least 1.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_frame_count(path: *const V_PATH, frames: *mut usize) -> c_int {
@@ -90,7 +90,7 @@ pub unsafe extern "C" fn v_path_frame_count(path: *const V_PATH, frames: *mut us
     })
 }
 
-/// Writes all poses of a path to your array.
+/// Writes all poses to your array.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_sample(
@@ -117,8 +117,7 @@ pub unsafe extern "C" fn v_path_sample(
 }
 
 /// Writes count poses of v_path_sample(), from frame first on, to your array.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE (first is 0, or there are fewer poses),
-/// V_ERR_LIMIT, V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_sample_range(
     path: *const V_PATH,
@@ -219,9 +218,9 @@ pub unsafe extern "C" fn v_path_to_list(path: *const V_PATH, first: *mut V_KAMER
     })
 }
 
-/// Writes all poses of a path to a text file, replaced atomically, one line each: VRP,
-/// VPN, VUP (x, y and z each) and zoom, as C prints them by "%3.4f", separated by one
-/// space. The decimal sign is always a point; minus zero is written as zero.
+/// Writes all poses to a text file, replaced atomically, one line each: VRP, VPN, VUP
+/// (x, y and z each) and zoom, as C prints them by "%3.4f", separated by one space. The
+/// decimal sign is always a point; minus zero is written as zero.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_write_ascii(path: *const V_PATH, file: *const c_char) -> c_int {

@@ -73,9 +73,9 @@ fn asked(share: f64) -> bool {
 /// a second, except while they read the object: about two seconds for a million.
 ///
 /// progress  share is from 0 to 1, and may fall when another round begins. If it
-///     returns 0, the call fails with V_ERR_REFUSED and changes nothing. It may call
-///     any function; a path in use, such as that of the call, returns V_ERR_BUSY. No
-///     exception or longjmp() may leave it
+///     returns 0, the call fails with V_ERR_REFUSED and changes nothing. In it, a path
+///     in use, such as that of the call, is V_ERR_BUSY. No exception or longjmp() may
+///     leave it
 /// user  your pointer, passed to progress
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_set_progress(

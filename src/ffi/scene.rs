@@ -258,7 +258,7 @@ pub unsafe extern "C" fn v_scene_save_to_memory(
     })
 }
 
-/// Saves a scene to a .vid file, like v_path_save().
+/// Saves a scene, like v_path_save().
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO, V_ERR_BUSY, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_save(scene: *const V_SCENE, file: *const c_char) -> c_int {
@@ -296,7 +296,7 @@ pub unsafe extern "C" fn v_scene_free(scene: *mut V_SCENE) {
 
 /// ==== Nodes ====
 ///
-/// Gets the number of nodes in a scene.
+/// Gets the number of nodes.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_node_count(scene: *const V_SCENE, count: *mut c_int) -> c_int {
@@ -340,7 +340,7 @@ pub(super) fn copied_name(text: &str) -> Answer<String> {
 
 /// Removes a node with all its descendants. The numbers of later nodes decrease; nodes
 /// that aimed at a removed one no longer aim. Removing many in a row costs as much as
-/// one, even if you read the number of nodes, names and nodes in between.
+/// one, even if you read nodes, their names or number in between.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_remove_node(scene: *mut V_SCENE, node: c_int) -> c_int {

@@ -111,7 +111,7 @@ pub unsafe extern "C" fn v_scene_get_channel(
     })
 }
 
-/// Gets the number of markers in a scene.
+/// Gets the number of markers.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_marker_count(scene: *const V_SCENE, count: *mut c_int) -> c_int {

@@ -153,8 +153,8 @@ pub unsafe extern "C" fn v_scene_get_limit(
 
 /// ==== What is shown of a scene ====
 ///
-/// Sets the camera that is shown; -1: the first one on a path, or the first one if none
-/// is. The choice follows the node, is removed with it, and is saved.
+/// Sets the camera that is shown; -1: the first one on a path, else the first one. The
+/// choice follows the node, is removed with it, and is saved.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no camera), V_ERR_RANGE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_camera(scene: *mut V_SCENE, node: c_int) -> c_int {
@@ -164,7 +164,7 @@ pub unsafe extern "C" fn v_scene_set_camera(scene: *mut V_SCENE, node: c_int) ->
     })
 }
 
-/// Gets the camera that is shown; -1 if the scene has none.
+/// Gets the camera that is shown; -1: none.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_camera(scene: *const V_SCENE, node: *mut c_int) -> c_int {
@@ -176,8 +176,8 @@ pub unsafe extern "C" fn v_scene_get_camera(scene: *const V_SCENE, node: *mut c_
     })
 }
 
-/// Sets the first and last frame of a scene; if first > last, they follow from all
-/// paths and keys. They are saved.
+/// Sets the first and last frame; if first > last, they follow from all paths and keys.
+/// They are saved.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT (more than
 /// 100000000 frames), V_ERR_BUSY.
 #[unsafe(no_mangle)]

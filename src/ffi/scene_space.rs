@@ -8,8 +8,8 @@ use super::scene_types::V_SCENE;
 use super::space::{SpaceOut, space};
 use super::status::{V_ERR_INTERNAL, V_OK};
 
-/// Sets the space of a scene, like v_path_set_space(); up applies to nodes that aim at
-/// others. Values of nodes do not change; a path in the scene has its own space.
+/// Sets the space, like v_path_set_space(); up applies to nodes that aim at others.
+/// Values of nodes do not change; a path in the scene has its own space.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY, V_ERR_ARGUMENT, V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[centre; 3]]
 #[unsafe(no_mangle)]
@@ -30,7 +30,7 @@ pub unsafe extern "C" fn v_scene_set_space(
     })
 }
 
-/// Gets the space of a scene.
+/// Gets the space.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
 /// cbindgen:ptrs-as-arrays=[[centre; 3]]
 #[unsafe(no_mangle)]

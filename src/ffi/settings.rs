@@ -68,8 +68,8 @@ pub(super) unsafe fn comment_of(comment: *const c_char) -> Answer<String> {
 
 /// ==== What holds for the whole path ====
 ///
-/// Sets the base speeds of a path: the frames that each movement takes at speed 50,
-/// finite and > 0; larger is slower. v_haupt() calls them speeds.
+/// Sets the base speeds: the frames that each movement takes at speed 50, finite and >
+/// 0; larger is slower. v_haupt() calls them speeds.
 ///
 /// move_frames  moving by half_size (v_path_set_space())
 /// turn_frames  turning by 180 degrees
@@ -206,7 +206,7 @@ pub unsafe extern "C" fn v_path_get_modes(
     })
 }
 
-/// Sets the title of a path: one line of at most 256 bytes; "" removes it.
+/// Sets the title: one line of at most 256 bytes; "" removes it.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_title(path: *mut V_PATH, title: *const c_char) -> c_int {
@@ -217,7 +217,7 @@ pub unsafe extern "C" fn v_path_set_title(path: *mut V_PATH, title: *const c_cha
     })
 }
 
-/// Gets the title of a path.
+/// Gets the title.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_title(
@@ -235,7 +235,7 @@ pub unsafe extern "C" fn v_path_get_title(
     })
 }
 
-/// Sets the comment of a path: any number of lines; "" removes it.
+/// Sets the comment: any number of lines; "" removes it.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_comment(path: *mut V_PATH, comment: *const c_char) -> c_int {
@@ -246,7 +246,7 @@ pub unsafe extern "C" fn v_path_set_comment(path: *mut V_PATH, comment: *const c
     })
 }
 
-/// Gets the comment of a path.
+/// Gets the comment.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_comment(
@@ -297,7 +297,7 @@ pub unsafe extern "C" fn v_path_set_first_frame(path: *mut V_PATH, number: c_int
     })
 }
 
-/// Gets the number of the first pose in the user's film.
+/// Gets the number of the first pose.
 /// V_ERR_NULL, V_ERR_HANDLE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_first_frame(path: *const V_PATH, number: *mut c_int) -> c_int {
@@ -309,9 +309,9 @@ pub unsafe extern "C" fn v_path_get_first_frame(path: *const V_PATH, number: *mu
     })
 }
 
-/// Sets the object that is shown with a path; NULL: none. The window draws its lines
-/// and the edges of its triangles; beyond 1,000,000 points of lines, only points where
-/// they end or bend. v_path_check() uses the triangles.
+/// Sets the object shown with a path; NULL: none. The window draws its lines and the
+/// edges of its triangles; beyond 1,000,000 points of lines, only points where they end
+/// or bend. v_path_check() uses the triangles.
 /// V_ERR_NULL, V_ERR_SIZE, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT,
 /// V_ERR_MEMORY.
 #[unsafe(no_mangle)]
@@ -327,8 +327,8 @@ pub unsafe extern "C" fn v_path_set_object(path: *mut V_PATH, object: *const V_M
     })
 }
 
-/// Gets the object that is shown with a path; 0 points if there is none. The arrays are
-/// valid until the same thread's next call of this function or its end.
+/// Gets the object shown with a path; 0 points if there is none. The arrays are valid
+/// until the same thread's next call of this function or its end.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_object(path: *const V_PATH, mesh: *mut V_MESH) -> c_int {

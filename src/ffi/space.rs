@@ -102,7 +102,7 @@ impl SpaceOut {
 
 /// ==== Where a path lies ====
 ///
-/// Sets the space of a path, a cube in your world; coordinates do not change.
+/// Sets the space of a path: a cube in your world; coordinates do not change.
 ///
 /// centre  (0, 0, 0) in a new path
 /// half_size  half the length of its edge, 1e-30 to 1e30; 1 in a new path. Centre,
@@ -128,7 +128,7 @@ pub unsafe extern "C" fn v_path_set_space(
     })
 }
 
-/// Gets the space of a path.
+/// Gets the space.
 /// V_ERR_NULL, V_ERR_HANDLE.
 /// cbindgen:ptrs-as-arrays=[[centre; 3]]
 #[unsafe(no_mangle)]
@@ -200,7 +200,7 @@ pub unsafe extern "C" fn v_path_change_up(path: *mut V_PATH, up: c_int) -> c_int
 /// (V_UP_Y, V_UP_Z): sets a relative target, the pose's vpn, and roll and zoom.
 /// Everything else in *orientation is unchanged: call v_orientation_init() before. vpn
 /// and vup have any length but 0 and are not parallel.
-/// V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE (zoom, up).
+/// V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_orientation_from_pose(
     pose: *const V_POSE,

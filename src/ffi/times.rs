@@ -77,7 +77,7 @@ pub unsafe extern "C" fn v_path_frame_at_seconds(
     })
 }
 
-/// Gets the time in seconds at which a frame is shown: (frame - 1) / fps.
+/// Gets the seconds at which a frame is shown: (frame - 1) / fps.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_seconds_at_frame(

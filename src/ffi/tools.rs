@@ -224,9 +224,9 @@ pub unsafe extern "C" fn v_path_extract(
     })
 }
 
-/// Inserts a copy of another path, block, which may be the same, after the point at
-/// index at. The block keeps its curve and targets, the rest of the path its curve;
-/// where they join, both have the same direction.
+/// Inserts a copy of another path, block, which may be the same, after point at. The
+/// block keeps its curve and targets, the rest of the path its curve; where they join,
+/// both have the same direction.
 ///
 /// Except with V_FIT_NONE, the block's first point is merged with that point, which
 /// keeps its views; with V_FIT_SCALE its last point likewise with the next one. A
@@ -268,8 +268,8 @@ pub unsafe extern "C" fn v_path_insert_path(
     })
 }
 
-/// Reverses a path: the film shows the same poses in reverse order. Views that look
-/// ahead do so in the new direction.
+/// Reverses a path: the same poses in reverse order. Views that look ahead do so in the
+/// new direction.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_reverse(path: *mut V_PATH) -> c_int {
