@@ -40,7 +40,7 @@ pub unsafe extern "C" fn v_editor_get_scene(
 /// follows a path. Otherwise that of the camera shown, if it has one, is edited, with
 /// the base speeds given when the window was opened. A scene with nothing but one
 /// camera on a path is treated as that path. A drag in progress ends where it is. The
-/// playhead stays at its frame if the scene has it.
+/// playhead stays at its frame if the scene has that frame.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_BUSY, V_ERR_ARGUMENT, V_ERR_RANGE,
 /// V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]

@@ -177,8 +177,7 @@ pub unsafe extern "C" fn v_path_set_distance(
     })
 }
 
-/// Gets the pairs of v_path_set_distance(); capacity and *keys count pairs, 0 if there
-/// are none.
+/// Gets the pairs of v_path_set_distance(), if any; capacity and *keys count pairs.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_SIZE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_distance(

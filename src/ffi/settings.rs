@@ -327,8 +327,8 @@ pub unsafe extern "C" fn v_path_set_object(path: *mut V_PATH, object: *const V_M
     })
 }
 
-/// Gets the object shown with a path; 0 points if there is none. The arrays are valid
-/// until the same thread's next call of this function or its end.
+/// Gets the object shown with a path, 0 points without one. The arrays are valid until
+/// the same thread's next call of this function or its end.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_object(path: *const V_PATH, mesh: *mut V_MESH) -> c_int {

@@ -287,8 +287,8 @@ pub unsafe extern "C" fn v_path_repeat(path: *mut V_PATH, count: c_int) -> c_int
 }
 
 /// Makes the weighted sum of paths, point by point: positions, curve, targets, roll,
-/// zoom and speeds; fixed frames (rounded), angular velocities and slopes where every
-/// path has them. Paths with fewer points are first resampled by length to the largest
+/// zoom and speeds; also fixed frames (rounded), angular velocities and slopes that all
+/// paths have. Paths with fewer points are first resampled by length to the largest
 /// number. Everything else comes from the path with the greatest weight. The count
 /// weights have the sum 1.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.

@@ -60,8 +60,8 @@ pub struct interpolparameter {
     pub VPN: V_POS,
     /// up; length 1, perpendicular to VPN
     pub VUP: V_POS,
-    /// 1 to 100, rounded, 100 for any larger; the vertical field of view is 2 atan (12
-    /// / zoom)
+    /// 1 to 100, rounded, 100 for any larger. Vertical field of view: 2 atan (12 /
+    /// zoom)
     pub zoom: c_int,
     pub prev: *mut interpolparameter,
     pub next: *mut interpolparameter,
@@ -91,8 +91,8 @@ pub struct v_pose {
     pub vpn: [f64; 3],
     /// up; length 1, perpendicular to vpn
     pub vup: [f64; 3],
-    /// 1 to 2000: focal length in mm of a 36 x 24 mm camera; the vertical field of view
-    /// is 2 atan (12 / zoom). For other lenses see v_zoom_from_fov()
+    /// 1 to 2000: focal length in mm of a 36 x 24 mm camera, with a vertical field of
+    /// view of 2 atan (12 / zoom). For other lenses see v_zoom_from_fov()
     pub zoom: f64,
 }
 
