@@ -52,7 +52,7 @@ pub extern "C" fn v_fd() -> c_int {
 }
 
 /// Returns the milliseconds after which v_dispatch() has something to do even without
-/// input; -1: no limit. v_fd() becomes readable then, too.
+/// input, and v_fd() becomes readable; -1: no limit.
 #[unsafe(no_mangle)]
 pub extern "C" fn v_timeout() -> c_int {
     border(-1, || {

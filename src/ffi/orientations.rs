@@ -325,7 +325,7 @@ pub unsafe extern "C" fn v_path_get_ahead(
 ///     "minimal"  starts with the up axis and is carried on without turning about the
 ///                view, through all consecutive orientations that have it; on a closed
 ///                path, the angle missing at the end is spread over the length
-///     "frenet"   the normal of the curve, of kind "cubic" without custom tangents
+///     "frenet"   the normal of the curve, only of kind "cubic" without custom tangents
 ///     "y", "z"   this axis, whatever the space's up axis
 /// Arguments that an up does not need may be NULL. A path has at most 10 different up
 /// paths of at most 1000 points.
@@ -363,8 +363,8 @@ const UPS: [&CStr; 7] = [
     c"axis", c"point", c"path", c"minimal", c"frenet", c"y", c"z",
 ];
 
-/// Gets the up of an orientation (constant), the point of "point" or zeros, and an open
-/// path with the curve of "path", which you free, or NULL.
+/// Gets the up of an orientation (a constant text), the point of "point" or zeros, and
+/// an open path with the curve of "path", which you free, or NULL.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 /// cbindgen:ptrs-as-arrays=[[up_point; 3]]
 #[unsafe(no_mangle)]

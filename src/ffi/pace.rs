@@ -281,8 +281,8 @@ pub unsafe extern "C" fn v_path_get_frames_locked(
 
 /// Fixes the frames of all moving sections between two points, so that it takes exactly
 /// frames from the first pose at first_point to the last pose at last_point, holds
-/// included. 0 and the last point stand for the whole path, if closed with the way
-/// back. On a closed path first_point may be after last_point.
+/// included. 0 and the last point stand for the whole path, if closed with the way back
+/// to the first. On a closed path first_point may be after last_point.
 ///
 /// Sections share the frames in proportion to those they have now (unrounded if they
 /// follow from the length), at least one each, by largest remainder; ties go to the

@@ -137,7 +137,7 @@ pub unsafe extern "C" fn v_path_clone(path: *const V_PATH, copy: *mut *mut V_PAT
     })
 }
 
-/// Frees a path. NULL is ignored. A call that another thread makes with it completes
+/// Frees a path. NULL is ignored. A call that uses it in another thread completes
 /// normally.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_free(path: *mut V_PATH) {
@@ -186,8 +186,8 @@ pub unsafe extern "C" fn v_path_load_from_memory(
     })
 }
 
-/// Saves a path to a .vid file, which is replaced atomically and is on the disk at
-/// V_OK. Symbolic links are followed and permissions kept.
+/// Saves a path to a .vid file, which is replaced atomically and is on the disk when
+/// the call returns V_OK. Symbolic links are followed and permissions kept.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_save(path: *const V_PATH, file: *const c_char) -> c_int {

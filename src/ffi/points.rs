@@ -27,7 +27,7 @@ pub(super) fn point<'a>(
 
 /// ==== Points ====
 ///
-/// Gets the number of points, at least 2. (The thesis calls them support points.)
+/// Gets the number of points, at least 2.
 /// V_ERR_NULL, V_ERR_HANDLE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_point_count(path: *const V_PATH, count: *mut c_int) -> c_int {
@@ -59,8 +59,8 @@ pub unsafe extern "C" fn v_path_insert_point(
     })
 }
 
-/// Divides a segment with 1 to 10 new points on its curve, at equal arc lengths. They
-/// copy all other properties from the point before them, so the motion changes;
+/// Divides a segment with 1 to 10 points on its curve, at equal arc lengths. They copy
+/// all other properties from the point before them, so the motion changes;
 /// v_path_insert_on_curve() keeps it.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
@@ -262,7 +262,7 @@ pub unsafe extern "C" fn v_path_set_preset(
     })
 }
 
-/// Gets a preset, 0 to 9.
+/// Gets the tension, continuity and bias of a preset, 0 to 9.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[tcb; 3]]
 #[unsafe(no_mangle)]

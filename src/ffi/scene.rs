@@ -340,7 +340,7 @@ pub(super) fn copied_name(text: &str) -> Answer<String> {
 
 /// Removes a node with all its descendants. The numbers of later nodes decrease; nodes
 /// that aimed at a removed one no longer aim. Removing many in a row costs as much as
-/// one, even if you read nodes, their names or number in between.
+/// one, even if you read nodes, their names and number in between.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_remove_node(scene: *mut V_SCENE, node: c_int) -> c_int {
@@ -431,9 +431,9 @@ pub unsafe extern "C" fn v_scene_get_node(
 }
 
 /// Sets the values of a node; its kind does not change. If the parent changes,
-/// position, rotation and scale are converted from the old one: the node keeps its
-/// place in the world at the scene's first frame. A node that moves can only change to
-/// a parent in the same place as the old one.
+/// position, rotation and scale are relative to the old one: the node keeps its place
+/// in the world at the scene's first frame. A node that moves can only change to a
+/// parent in the same place as the old one.
 /// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT (such as a cycle), V_ERR_RANGE,
 /// V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
 #[unsafe(no_mangle)]

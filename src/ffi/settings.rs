@@ -69,7 +69,7 @@ pub(super) unsafe fn comment_of(comment: *const c_char) -> Answer<String> {
 /// ==== What holds for the whole path ====
 ///
 /// Sets the base speeds: the frames that each movement takes at speed 50, finite and >
-/// 0; larger is slower. v_haupt() calls them speeds.
+/// 0; larger is slower.
 ///
 /// move_frames  moving by half_size (v_path_set_space())
 /// turn_frames  turning by 180 degrees

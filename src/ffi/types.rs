@@ -323,10 +323,10 @@ pub struct v_editor_options {
             user: *mut c_void,
         ),
     >,
-    /// called when the path in the window has changed, even if it is not visible: after
-    /// each step, undo and redo, not during a drag; steps within a sixtieth of a second
-    /// are combined. A tool's preview before OK is no change, nor for on_view, on_frame
-    /// and on_poses. NULL: none
+    /// called, like on_view, when the path in the window has changed: after each step,
+    /// undo and redo, not during a drag; steps within a sixtieth of a second are
+    /// combined. A tool's preview before OK is no change, nor for on_view, on_frame and
+    /// on_poses. NULL: none
     pub on_change: Option<unsafe extern "C" fn(editor: *mut V_EDITOR, user: *mut c_void)>,
     /// called when the user adds your program's view to the path (Ctrl-Enter): fill in
     /// your camera and return 1, or return 0 if you have none. vpn and vup have any
