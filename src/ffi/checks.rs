@@ -88,9 +88,9 @@ fn finding(found: &Finding) -> Answer<V_FINDING> {
 ///     median step
 /// count  at least two
 /// fps  frame rate of the path
-/// V_ERR_NULL, V_ERR_ARGUMENT (times that run backwards, a view without direction),
-/// V_ERR_RANGE, V_ERR_LIMIT (times that span more than 100,000,000 frames),
-/// V_ERR_MEMORY, V_ERR_REFUSED.
+/// V_ERR_ARGUMENT (times that run backwards, a view without direction), V_ERR_RANGE,
+/// V_ERR_LIMIT (times that span more than 100,000,000 frames), V_ERR_MEMORY,
+/// V_ERR_REFUSED.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_fit_poses(
     poses: *const V_POSE,
@@ -110,8 +110,7 @@ pub unsafe extern "C" fn v_path_fit_poses(
 ///
 /// space  with half_size 0 only its up axis counts, and it is the smallest cube around
 ///     the positions, as with NULL
-/// V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY,
-/// V_ERR_REFUSED.
+/// V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_fit_poses_in_space(
     poses: *const V_POSE,
@@ -138,8 +137,7 @@ pub unsafe extern "C" fn v_path_fit_poses_in_space(
 /// Like v_path_fit_poses_in_space(), but ignores outliers: poses that differ by more
 /// than the tolerance from what their neighbours suggest. *left_out receives their
 /// number, and may be NULL; v_last_warning() returns it and the first one, or "".
-/// V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY,
-/// V_ERR_REFUSED.
+/// V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_fit_poses_robust(
     poses: *const V_POSE,
@@ -253,8 +251,8 @@ unsafe fn fitted(
 ///     faces, if it has one
 /// v_last_warning() returns notes, or "": that the camera is always inside the object,
 /// and what was ignored (moving objects, the motion of the camera's parent).
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT (an object without geometry),
-/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED.
+/// V_ERR_SIZE, V_ERR_ARGUMENT (an object without geometry), V_ERR_RANGE, V_ERR_LIMIT,
+/// V_ERR_MEMORY, V_ERR_REFUSED.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_check(
     path: *const V_PATH,
@@ -291,7 +289,7 @@ pub unsafe extern "C" fn v_path_check(
 
 /// Sets the limit of a kind of finding (v_path_check()), which is saved; INFINITY
 /// disables the kind.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no such kind), V_ERR_RANGE.
+/// V_ERR_ARGUMENT (no such kind), V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_limit(
     path: *mut V_PATH,
@@ -310,7 +308,7 @@ pub unsafe extern "C" fn v_path_set_limit(
 }
 
 /// Gets the limit of a kind of finding; INFINITY: disabled.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no such kind).
+/// V_ERR_ARGUMENT (no such kind).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_limit(
     path: *const V_PATH,

@@ -155,8 +155,8 @@ unsafe impl Growing for V_EDITOR_OPTIONS {
 /// serves the window too. No longjmp() and no exception may leave them; an exception
 /// that does ends the program, after a line on standard error that names the callback.
 /// When the thread ends, its window is closed, with a line on standard error.
-/// V_ERR_NULL, V_ERR_SIZE, V_ERR_HANDLE (of path), V_ERR_ARGUMENT, V_ERR_RANGE,
-/// V_ERR_IO and V_ERR_FORMAT (of file), V_ERR_DISPLAY, V_ERR_LIMIT, V_ERR_MEMORY.
+/// V_ERR_SIZE, V_ERR_HANDLE (of path), V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_IO and
+/// V_ERR_FORMAT (of file), V_ERR_DISPLAY, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_open(
     options: *const V_EDITOR_OPTIONS,
@@ -382,7 +382,6 @@ fn open(editor: Beginning, host: Callbacks) -> Answer<*mut V_EDITOR> {
 /// or on any once the window is gone. Inside the window's own callbacks it closes when
 /// they have returned. on_gone is not called. Work that v_editor_is_modified() reports
 /// is offered at the next start of the program. NULL is ignored.
-/// V_ERR_HANDLE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_close(editor: *mut V_EDITOR) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -406,8 +405,7 @@ pub unsafe extern "C" fn v_editor_close(editor: *mut V_EDITOR) -> c_int {
 }
 
 /// Gets a copy of the path in a window; in a scene, that of the camera shown.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no camera, or it follows no
-/// path), V_ERR_MEMORY, V_ERR_LIMIT.
+/// V_ERR_ARGUMENT (no camera, or it follows no path), V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_get_path(
     editor: *const V_EDITOR,
@@ -428,8 +426,7 @@ pub unsafe extern "C" fn v_editor_get_path(
 /// window was opened are kept. In a scene it replaces the path of the camera shown,
 /// which is then edited. The playhead stays at its frame, or goes to the current point
 /// if the path has no such frame.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no camera, or it follows no
-/// path), V_ERR_MEMORY.
+/// V_ERR_ARGUMENT (no camera, or it follows no path), V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_set_path(editor: *mut V_EDITOR, path: *const V_PATH) -> c_int {
     border(V_ERR_INTERNAL, || {

@@ -29,7 +29,7 @@ fn travel(
 ///
 /// Undoes the last step of a window, like Ctrl-Z. It keeps the last 10,000 steps, and
 /// at most 256 MiB of what they changed.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (nothing to undo).
+/// V_ERR_ARGUMENT (nothing to undo).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_undo(editor: *mut V_EDITOR) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -38,7 +38,7 @@ pub unsafe extern "C" fn v_editor_undo(editor: *mut V_EDITOR) -> c_int {
 }
 
 /// Redoes the step that was undone last, like Ctrl-Y.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (nothing to redo).
+/// V_ERR_ARGUMENT (nothing to redo).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_redo(editor: *mut V_EDITOR) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -49,7 +49,6 @@ pub unsafe extern "C" fn v_editor_redo(editor: *mut V_EDITOR) -> c_int {
 /// Begins a group of changes in a window, yours and the user's, that the user undoes as
 /// one step. It replaces a group begun before; loading another document in the window
 /// ends it.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_begin_step(editor: *mut V_EDITOR) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -60,7 +59,6 @@ pub unsafe extern "C" fn v_editor_begin_step(editor: *mut V_EDITOR) -> c_int {
 }
 
 /// Ends the group of v_editor_begin_step(); does nothing without one.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_end_step(editor: *mut V_EDITOR) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -71,7 +69,7 @@ pub unsafe extern "C" fn v_editor_end_step(editor: *mut V_EDITOR) -> c_int {
 }
 
 /// Gets the current point and orientation.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no path is edited).
+/// V_ERR_ARGUMENT (no path is edited).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_get_selection(
     editor: *const V_EDITOR,
@@ -100,7 +98,6 @@ pub unsafe extern "C" fn v_editor_get_selection(
 }
 
 /// Gets whether a window is playing: 1 or 0.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_is_playing(
     editor: *const V_EDITOR,

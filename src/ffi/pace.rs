@@ -84,7 +84,7 @@ pub unsafe extern "C" fn v_ease(
 /// kind  V_EASE_..., or -1: back to the ten speeds; the other values are ignored
 /// rise, fall  as in v_ease()
 /// cruise  the cruising speed, 1 to 100
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
+/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_ease(
     path: *mut V_PATH,
@@ -112,7 +112,7 @@ pub unsafe extern "C" fn v_path_set_ease(
 }
 
 /// Gets the ease of a section, see v_path_set_ease(); kind -1 and zeros if it has none.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+/// V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_ease(
     path: *const V_PATH,
@@ -153,7 +153,7 @@ pub unsafe extern "C" fn v_path_get_ease(
 /// time_way  pairs (fraction of the time, of the distance), from 0, 0 to 1, 1, both
 ///     increasing
 /// keys  number of pairs, 2 to 32; 0: back to the ten speeds
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
+/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_distance(
     path: *mut V_PATH,
@@ -178,7 +178,7 @@ pub unsafe extern "C" fn v_path_set_distance(
 }
 
 /// Gets the pairs of v_path_set_distance(), if any; capacity and *keys count pairs.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_SIZE.
+/// V_ERR_RANGE, V_ERR_SIZE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_distance(
     path: *const V_PATH,
@@ -212,7 +212,7 @@ pub unsafe extern "C" fn v_path_get_distance(
 /// Fixes the number of frames of the section that begins with an orientation; 0: it
 /// follows from the length. A section in which nothing changes always has 0 frames. A
 /// path has at most 100000000.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_frames(
     path: *mut V_PATH,
@@ -227,7 +227,7 @@ pub unsafe extern "C" fn v_path_set_frames(
 }
 
 /// Gets the fixed frames of a section, see v_path_set_frames().
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+/// V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_frames(
     path: *const V_PATH,
@@ -247,7 +247,7 @@ pub unsafe extern "C" fn v_path_get_frames(
 
 /// Sets whether v_path_fit_frames() keeps the frames of the section that begins with an
 /// orientation (not 0) or not (0).
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
+/// V_ERR_RANGE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_frames_locked(
     path: *mut V_PATH,
@@ -261,7 +261,7 @@ pub unsafe extern "C" fn v_path_set_frames_locked(
 }
 
 /// Gets whether the frames of a section are locked: 1 or 0.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+/// V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_frames_locked(
     path: *const V_PATH,
@@ -288,7 +288,7 @@ pub unsafe extern "C" fn v_path_get_frames_locked(
 /// follow from the length), at least one each, by largest remainder; ties go to the
 /// earlier section. Locked sections keep theirs. If frames is too small, v_last_error()
 /// returns the least.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
+/// V_ERR_RANGE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_fit_frames(
     path: *mut V_PATH,

@@ -114,7 +114,7 @@ pub(super) fn edit_and<R>(
 ///
 /// Makes a new path: two points at (-0.6, 0.2, 0.8) and (0.6, 0.2, 0.8), each with one
 /// orientation of v_orientation_init().
-/// V_ERR_NULL, V_ERR_MEMORY, V_ERR_LIMIT.
+/// V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_new(path: *mut *mut V_PATH) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -126,7 +126,7 @@ pub unsafe extern "C" fn v_path_new(path: *mut *mut V_PATH) -> c_int {
 }
 
 /// Makes an independent copy of a path.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_MEMORY, V_ERR_LIMIT.
+/// V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_clone(path: *const V_PATH, copy: *mut *mut V_PATH) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -151,8 +151,8 @@ pub unsafe extern "C" fn v_path_free(path: *mut V_PATH) {
 
 /// Reads a path from a .vid file; of a scene, the path of the camera shown: saving that
 /// to the same file would lose the rest.
-/// V_ERR_NULL, V_ERR_IO, V_ERR_FORMAT, V_ERR_ARGUMENT (no camera, or it follows no
-/// path), V_ERR_MEMORY, V_ERR_LIMIT.
+/// V_ERR_IO, V_ERR_FORMAT, V_ERR_ARGUMENT (no camera, or it follows no path),
+/// V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_load(file: *const c_char, path: *mut *mut V_PATH) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -167,7 +167,7 @@ pub unsafe extern "C" fn v_path_load(file: *const c_char, path: *mut *mut V_PATH
 
 /// Like v_path_load(), from the text of a .vid file: size bytes, which need not be
 /// zero-terminated.
-/// V_ERR_NULL, V_ERR_FORMAT, V_ERR_ARGUMENT, V_ERR_MEMORY, V_ERR_LIMIT.
+/// V_ERR_FORMAT, V_ERR_ARGUMENT, V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_load_from_memory(
     text: *const c_char,
@@ -188,7 +188,7 @@ pub unsafe extern "C" fn v_path_load_from_memory(
 
 /// Saves a path to a .vid file, which is replaced atomically and is on the disk when
 /// the call returns V_OK. Symbolic links are followed and permissions kept.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO, V_ERR_MEMORY.
+/// V_ERR_IO, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_save(path: *const V_PATH, file: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -200,7 +200,7 @@ pub unsafe extern "C" fn v_path_save(path: *const V_PATH, file: *const c_char) -
 }
 
 /// Gets the text that v_path_save() would write.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_save_to_memory(
     path: *const V_PATH,

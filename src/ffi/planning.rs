@@ -82,9 +82,9 @@ pub unsafe extern "C" fn v_limits_init_sized(limits: *mut V_LIMITS, size: usize)
 /// first_point, last_point  as for v_path_fit_frames()
 /// seconds  0: as few as the limits allow; otherwise this duration, to a whole frame,
 ///     with the lowest peaks; the last frame of the path counts, too
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT (no limit, one that is not
-/// positive, too few seconds: v_last_error() names the least), V_ERR_RANGE,
-/// V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED.
+/// V_ERR_SIZE, V_ERR_ARGUMENT (no limit, one that is not positive, too few seconds:
+/// v_last_error() names the least), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY,
+/// V_ERR_REFUSED.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_retime(
     path: *mut V_PATH,
@@ -128,8 +128,8 @@ pub unsafe extern "C" fn v_path_retime(
 /// seconds  cut-off period: motion of this period is halved, faster motion is removed;
 ///     > 0 and at most 2,000 frames
 /// within  maximum distance any position may move; 0: no limit
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (a path that does not move, no path within
-/// the limit), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED.
+/// V_ERR_ARGUMENT (a path that does not move, no path within the limit), V_ERR_RANGE,
+/// V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_steady(path: *mut V_PATH, seconds: f64, within: f64) -> c_int {
     clear_last_warning();
@@ -164,9 +164,9 @@ pub unsafe extern "C" fn v_path_steady(path: *mut V_PATH, seconds: f64, within: 
 /// object  in the coordinates of the path; NULL: the path's own
 /// clearance, radius  in the path's units; clearance > 0, radius of the sphere 0 or
 ///     more
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT (no way round: v_last_error()
-/// names the frame and the place; an object without geometry), V_ERR_RANGE,
-/// V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED.
+/// V_ERR_SIZE, V_ERR_ARGUMENT (no way round: v_last_error() names the frame and the
+/// place; an object without geometry), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY,
+/// V_ERR_REFUSED.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_avoid(
     path: *mut V_PATH,
@@ -209,9 +209,8 @@ pub const V_PICTURE_VIEW: c_int = 2;
 /// margin  the fraction of the picture's width and height (36 x 24 mm) to keep free on
 ///     each side, from 0 to below 0.5
 /// what  V_PICTURE_...
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no object, or it does not fit into the
-/// picture, with the frame), V_ERR_RANGE, V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY,
-/// V_ERR_REFUSED.
+/// V_ERR_ARGUMENT (no object, or it does not fit into the picture, with the frame),
+/// V_ERR_RANGE, V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_keep_in_picture(
     path: *mut V_PATH,
@@ -289,7 +288,7 @@ pub unsafe extern "C" fn v_tour_init_sized(tour: *mut V_TOUR, size: usize) {
 /// coverage  the fraction shown of what can be seen; may be NULL
 /// v_last_warning() returns two lines: positions, coverage, length and seconds; and
 /// what remains unseen, and why.
-/// V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT (no surface, no free place, too few seconds:
+/// V_ERR_SIZE, V_ERR_ARGUMENT (no surface, no free place, too few seconds:
 /// v_last_error() names the least), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY,
 /// V_ERR_REFUSED.
 #[unsafe(no_mangle)]

@@ -17,8 +17,8 @@ use super::types::V_PATH;
 ///     "point.2.view.3.zoom" and so on
 /// value  as in the file: "30" or "[0, 1, 2]". Text needs no quotes; "" restores the
 ///     value of a new path
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE (no such property), V_ERR_ARGUMENT (not a
-/// value for it), V_ERR_LIMIT, V_ERR_MEMORY.
+/// V_ERR_RANGE (no such property), V_ERR_ARGUMENT (not a value for it), V_ERR_LIMIT,
+/// V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_property(
     path: *mut V_PATH,
@@ -34,8 +34,7 @@ pub unsafe extern "C" fn v_path_set_property(
 }
 
 /// Gets the value of a property as in a .vid file, "" if it has none.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE (no such
-/// property), V_ERR_MEMORY.
+/// V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE (no such property), V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_property(
     path: *const V_PATH,

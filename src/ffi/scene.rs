@@ -182,7 +182,7 @@ pub unsafe extern "C" fn v_node_init(node: *mut V_NODE, kind: c_int) {
 /// Makes a new scene: one camera, "camera", on the path of v_path_new(), starting at
 /// frame 1. For a space of your world, call v_scene_set_space(), then
 /// v_scene_set_path() for node 0 with a path of v_path_new_in_space().
-/// V_ERR_NULL, V_ERR_MEMORY, V_ERR_LIMIT.
+/// V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_new(scene: *mut *mut V_SCENE) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -199,7 +199,7 @@ pub unsafe extern "C" fn v_scene_new(scene: *mut *mut V_SCENE) -> c_int {
 /// malformed, or outside the folder of the .vid file once links are followed
 /// (v_scene_load_geometry() reads it from anywhere); a mesh file that has changed is
 /// read as it is. v_last_warning() reports this, or returns "".
-/// V_ERR_NULL, V_ERR_IO, V_ERR_FORMAT, V_ERR_MEMORY, V_ERR_LIMIT.
+/// V_ERR_IO, V_ERR_FORMAT, V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_load(file: *const c_char, scene: *mut *mut V_SCENE) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -214,7 +214,7 @@ pub unsafe extern "C" fn v_scene_load(file: *const c_char, scene: *mut *mut V_SC
 /// Like v_scene_load(), from the text of a .vid file: size bytes, which need not be
 /// zero-terminated. Relative names of mesh files are looked up in the current
 /// directory.
-/// V_ERR_NULL, V_ERR_FORMAT, V_ERR_MEMORY, V_ERR_LIMIT.
+/// V_ERR_FORMAT, V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_load_from_memory(
     text: *const c_char,
@@ -242,7 +242,7 @@ fn insert_loaded(document: SceneDocument) -> Answer<*mut V_SCENE> {
 }
 
 /// Gets the text of the .vid file of a scene. The names of mesh files are unchanged.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_BUSY, V_ERR_LIMIT, V_ERR_MEMORY.
+/// V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_save_to_memory(
     scene: *const V_SCENE,
@@ -259,7 +259,7 @@ pub unsafe extern "C" fn v_scene_save_to_memory(
 }
 
 /// Saves a scene, like v_path_save().
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO, V_ERR_BUSY, V_ERR_LIMIT, V_ERR_MEMORY.
+/// V_ERR_IO, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_save(scene: *const V_SCENE, file: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -272,7 +272,7 @@ pub unsafe extern "C" fn v_scene_save(scene: *const V_SCENE, file: *const c_char
 
 /// Makes an independent copy of a scene. Both share geometry until one of them changes
 /// it.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY, V_ERR_MEMORY, V_ERR_LIMIT.
+/// V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_clone(scene: *const V_SCENE, copy: *mut *mut V_SCENE) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -297,7 +297,6 @@ pub unsafe extern "C" fn v_scene_free(scene: *mut V_SCENE) {
 /// ==== Nodes ====
 ///
 /// Gets the number of nodes.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_node_count(scene: *const V_SCENE, count: *mut c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -310,8 +309,7 @@ pub unsafe extern "C" fn v_scene_node_count(scene: *const V_SCENE, count: *mut c
 
 /// Adds a node after the others. *node receives its number; it may be NULL. name is
 /// unique in its scene, one line, not empty.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT,
-/// V_ERR_BUSY, V_ERR_MEMORY.
+/// V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_add_node(
     scene: *mut V_SCENE,
@@ -341,7 +339,7 @@ pub(super) fn copied_name(text: &str) -> Answer<String> {
 /// Removes a node with all its descendants. The numbers of later nodes decrease; nodes
 /// that aimed at a removed one no longer aim. Removing many in a row costs as much as
 /// one, even if you read nodes, their names and number in between.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY, V_ERR_MEMORY.
+/// V_ERR_RANGE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_remove_node(scene: *mut V_SCENE, node: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -351,7 +349,7 @@ pub unsafe extern "C" fn v_scene_remove_node(scene: *mut V_SCENE, node: c_int) -
 }
 
 /// Gets the number of the node with this name.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no such node), V_ERR_BUSY.
+/// V_ERR_ARGUMENT (no such node).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_find_node(
     scene: *const V_SCENE,
@@ -373,7 +371,7 @@ pub unsafe extern "C" fn v_scene_find_node(
 }
 
 /// Gets the name of a node.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
+/// V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_name(
     scene: *const V_SCENE,
@@ -392,8 +390,7 @@ pub unsafe extern "C" fn v_scene_get_name(
 }
 
 /// Renames a node, see v_scene_add_node().
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
-/// V_ERR_MEMORY.
+/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_name(
     scene: *mut V_SCENE,
@@ -408,7 +405,7 @@ pub unsafe extern "C" fn v_scene_set_name(
 }
 
 /// Gets a node at rest.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_RANGE, V_ERR_BUSY.
+/// V_ERR_SIZE, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_node(
     scene: *const V_SCENE,
@@ -434,8 +431,8 @@ pub unsafe extern "C" fn v_scene_get_node(
 /// position, rotation and scale are relative to the old one: the node keeps its place
 /// in the world at the scene's first frame. A node that moves can only change to a
 /// parent in the same place as the old one.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT (such as a cycle), V_ERR_RANGE,
-/// V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+/// V_ERR_SIZE, V_ERR_ARGUMENT (such as a cycle), V_ERR_RANGE, V_ERR_LIMIT,
+/// V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_node(
     scene: *mut V_SCENE,
@@ -461,8 +458,7 @@ pub unsafe extern "C" fn v_scene_set_node(
 /// coordinates; a node with a track for one of them cannot have a path.
 ///
 /// after  V_AFTER_HOLD, V_AFTER_REPEAT or V_AFTER_PINGPONG; before the path, too
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
-/// V_ERR_MEMORY.
+/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_path(
     scene: *mut V_SCENE,
@@ -482,8 +478,7 @@ pub unsafe extern "C" fn v_scene_set_path(
 }
 
 /// Gets a copy of the path that a node follows.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (it follows none), V_ERR_RANGE,
-/// V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+/// V_ERR_ARGUMENT (it follows none), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_path(
     scene: *const V_SCENE,
@@ -505,8 +500,7 @@ pub unsafe extern "C" fn v_scene_get_path(
 }
 
 /// Sets a marker at a frame, or moves the one of this name (one line, not empty).
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
-/// V_ERR_MEMORY.
+/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_marker(
     scene: *mut V_SCENE,
@@ -522,8 +516,7 @@ pub unsafe extern "C" fn v_scene_set_marker(
 
 /// Pins a point of a node's path to a marker; NULL removes the pin. Pins hold when the
 /// path changes, and are saved.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
-/// V_ERR_MEMORY.
+/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_pin(
     scene: *mut V_SCENE,

@@ -16,7 +16,7 @@ use crate::tools::check::FindingKind;
 /// ==== What a scene is called ====
 ///
 /// Sets the title, like v_path_set_title().
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+/// V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_title(scene: *mut V_SCENE, title: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -26,7 +26,7 @@ pub unsafe extern "C" fn v_scene_set_title(scene: *mut V_SCENE, title: *const c_
 }
 
 /// Gets the title.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_BUSY.
+/// V_ERR_SIZE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_title(
     scene: *const V_SCENE,
@@ -44,7 +44,7 @@ pub unsafe extern "C" fn v_scene_get_title(
 }
 
 /// Sets the comment, like v_path_set_comment().
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+/// V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_comment(scene: *mut V_SCENE, comment: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -54,7 +54,7 @@ pub unsafe extern "C" fn v_scene_set_comment(scene: *mut V_SCENE, comment: *cons
 }
 
 /// Gets the comment.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_BUSY.
+/// V_ERR_SIZE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_comment(
     scene: *const V_SCENE,
@@ -72,14 +72,13 @@ pub unsafe extern "C" fn v_scene_get_comment(
 }
 
 /// Sets the frame rate, like v_path_set_fps(). Positions at frames do not change.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
+/// V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_fps(scene: *mut V_SCENE, fps: f64) -> c_int {
     border(V_ERR_INTERNAL, || set_info(scene, "fps", fps))
 }
 
 /// Gets the frame rate.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_fps(scene: *const V_SCENE, fps: *mut f64) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -92,7 +91,6 @@ pub unsafe extern "C" fn v_scene_get_fps(scene: *const V_SCENE, fps: *mut f64) -
 
 /// Sets the number shown to users for frame 1, by default 1. This library always uses
 /// the scene's own frames.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_first_frame(scene: *mut V_SCENE, number: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -101,7 +99,6 @@ pub unsafe extern "C" fn v_scene_set_first_frame(scene: *mut V_SCENE, number: c_
 }
 
 /// Gets the number shown to users for frame 1.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_first_frame(
     scene: *const V_SCENE,
@@ -116,7 +113,7 @@ pub unsafe extern "C" fn v_scene_get_first_frame(
 }
 
 /// Sets the limit of a finding, like v_path_set_limit().
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no such kind), V_ERR_RANGE, V_ERR_BUSY.
+/// V_ERR_ARGUMENT (no such kind), V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_limit(
     scene: *mut V_SCENE,
@@ -134,7 +131,7 @@ pub unsafe extern "C" fn v_scene_set_limit(
 }
 
 /// Gets the limit of a finding.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no such kind), V_ERR_BUSY.
+/// V_ERR_ARGUMENT (no such kind).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_limit(
     scene: *const V_SCENE,
@@ -155,7 +152,7 @@ pub unsafe extern "C" fn v_scene_get_limit(
 ///
 /// Sets the camera that is shown; -1: the first one on a path, else the first one. The
 /// choice follows the node, is removed with it, and is saved.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no camera), V_ERR_RANGE, V_ERR_BUSY.
+/// V_ERR_ARGUMENT (no camera), V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_camera(scene: *mut V_SCENE, node: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -165,7 +162,6 @@ pub unsafe extern "C" fn v_scene_set_camera(scene: *mut V_SCENE, node: c_int) ->
 }
 
 /// Gets the camera that is shown; -1: none.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_camera(scene: *const V_SCENE, node: *mut c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -178,8 +174,7 @@ pub unsafe extern "C" fn v_scene_get_camera(scene: *const V_SCENE, node: *mut c_
 
 /// Sets the first and last frame; if first > last, they follow from all paths and keys.
 /// They are saved.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT (more than
-/// 100000000 frames), V_ERR_BUSY.
+/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT (more than 100000000 frames).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_range(scene: *mut V_SCENE, first: f64, last: f64) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -197,8 +192,7 @@ pub unsafe extern "C" fn v_scene_set_range(scene: *mut V_SCENE, first: f64, last
 /// keep  V_KEEP_PLACE: its place in the world at the scene's first frame, as in
 ///     v_scene_set_node(). V_KEEP_NUMBERS: its values, path and tracks; it moves with
 ///     its new parent
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (such as a cycle), V_ERR_RANGE,
-/// V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+/// V_ERR_ARGUMENT (such as a cycle), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_parent(
     scene: *mut V_SCENE,

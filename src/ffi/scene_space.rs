@@ -10,7 +10,7 @@ use super::status::{V_ERR_INTERNAL, V_OK};
 
 /// Sets the space, like v_path_set_space(); up applies to nodes that aim at others.
 /// Values of nodes do not change; a path in the scene has its own space.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY, V_ERR_ARGUMENT, V_ERR_RANGE.
+/// V_ERR_ARGUMENT, V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[centre; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_space(
@@ -31,7 +31,6 @@ pub unsafe extern "C" fn v_scene_set_space(
 }
 
 /// Gets the space.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
 /// cbindgen:ptrs-as-arrays=[[centre; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_space(

@@ -33,7 +33,7 @@ fn report(document: &SceneDocument, warnings: &Warnings) {
 ///
 /// Gets the first and last frame: those of v_scene_set_range(), otherwise those of all
 /// paths and keys; 1 and 1 if nothing moves.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_BUSY.
+/// V_ERR_ARGUMENT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_frame_range(
     scene: *const V_SCENE,
@@ -58,8 +58,7 @@ pub unsafe extern "C" fn v_scene_frame_range(
 /// If a "host:" interpolation is not registered, fails or returns a number that is not
 /// finite, its channel steps from key to key; v_last_warning() reports it, or returns
 /// "".
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT,
-/// V_ERR_BUSY, V_ERR_MEMORY.
+/// V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_evaluate(
     scene: *const V_SCENE,
@@ -107,8 +106,7 @@ pub unsafe extern "C" fn v_scene_evaluate(
 
 /// Gets count states of one node, at the frames first, first + frame_step and so on.
 /// v_last_warning() as for v_scene_evaluate().
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
-/// V_ERR_MEMORY.
+/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_sample(
     scene: *const V_SCENE,
@@ -151,8 +149,7 @@ pub unsafe extern "C" fn v_scene_sample(
 
 /// Gets the value of a channel at a frame, with or without a track, and the number of
 /// its components. Any result may be NULL. v_last_warning() as for v_scene_evaluate().
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT,
-/// V_ERR_BUSY, V_ERR_MEMORY.
+/// V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_value(
     scene: *const V_SCENE,
@@ -189,8 +186,7 @@ pub unsafe extern "C" fn v_scene_value(
 /// Gets the points of an object at a frame, morphed and deformed, in the coordinates of
 /// the node: three numbers per point; capacity and *points count points. Any result may
 /// be NULL. v_last_warning() as for v_scene_evaluate().
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT (no object), V_ERR_RANGE,
-/// V_ERR_BUSY, V_ERR_MEMORY.
+/// V_ERR_SIZE, V_ERR_ARGUMENT (no object), V_ERR_RANGE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_vertices(
     scene: *const V_SCENE,

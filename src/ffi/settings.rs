@@ -75,7 +75,7 @@ pub(super) unsafe fn comment_of(comment: *const c_char) -> Answer<String> {
 /// turn_frames  turning by 180 degrees
 /// zoom_frames  zooming from 1 to 100
 /// roll_frames  rolling by 90 degrees
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT.
+/// V_ERR_ARGUMENT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_base_frames(
     path: *mut V_PATH,
@@ -100,7 +100,6 @@ pub unsafe extern "C" fn v_path_set_base_frames(
 }
 
 /// Gets the base speeds.
-/// V_ERR_NULL, V_ERR_HANDLE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_base_frames(
     path: *const V_PATH,
@@ -132,7 +131,6 @@ pub unsafe extern "C" fn v_path_get_base_frames(
 
 /// Closes a path with one more segment from the last point to the first (not 0), or
 /// opens it (0).
-/// V_ERR_NULL, V_ERR_HANDLE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_closed(path: *mut V_PATH, closed: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -141,7 +139,6 @@ pub unsafe extern "C" fn v_path_set_closed(path: *mut V_PATH, closed: c_int) -> 
 }
 
 /// Gets whether a path is closed: 1 or 0.
-/// V_ERR_NULL, V_ERR_HANDLE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_closed(path: *const V_PATH, closed: *mut c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -154,7 +151,7 @@ pub unsafe extern "C" fn v_path_get_closed(path: *const V_PATH, closed: *mut c_i
 
 /// Sets how the camera turns between its orientations (V_ORIENTATION_...) and how the
 /// zoom changes (V_ZOOM_...).
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+/// V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_modes(
     path: *mut V_PATH,
@@ -181,7 +178,6 @@ pub unsafe extern "C" fn v_path_set_modes(
 }
 
 /// Gets the modes.
-/// V_ERR_NULL, V_ERR_HANDLE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_modes(
     path: *const V_PATH,
@@ -207,7 +203,7 @@ pub unsafe extern "C" fn v_path_get_modes(
 }
 
 /// Sets the title: one line of at most 256 bytes; "" removes it.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_MEMORY.
+/// V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_title(path: *mut V_PATH, title: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -218,7 +214,7 @@ pub unsafe extern "C" fn v_path_set_title(path: *mut V_PATH, title: *const c_cha
 }
 
 /// Gets the title.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE.
+/// V_ERR_SIZE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_title(
     path: *const V_PATH,
@@ -236,7 +232,7 @@ pub unsafe extern "C" fn v_path_get_title(
 }
 
 /// Sets the comment: any number of lines; "" removes it.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_MEMORY.
+/// V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_comment(path: *mut V_PATH, comment: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -247,7 +243,7 @@ pub unsafe extern "C" fn v_path_set_comment(path: *mut V_PATH, comment: *const c
 }
 
 /// Gets the comment.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE.
+/// V_ERR_SIZE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_comment(
     path: *const V_PATH,
@@ -266,7 +262,7 @@ pub unsafe extern "C" fn v_path_get_comment(
 
 /// Sets the frame rate in frames per second, > 0 and at most 100000, by default 25.
 /// Poses do not change.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+/// V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_fps(path: *mut V_PATH, fps: f64) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -275,7 +271,6 @@ pub unsafe extern "C" fn v_path_set_fps(path: *mut V_PATH, fps: f64) -> c_int {
 }
 
 /// Gets the frame rate.
-/// V_ERR_NULL, V_ERR_HANDLE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_fps(path: *const V_PATH, fps: *mut f64) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -288,7 +283,6 @@ pub unsafe extern "C" fn v_path_get_fps(path: *const V_PATH, fps: *mut f64) -> c
 
 /// Sets the number of the first pose in the user's film, by default 1. Files in other
 /// formats count from it, this library from 1.
-/// V_ERR_NULL, V_ERR_HANDLE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_first_frame(path: *mut V_PATH, number: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -298,7 +292,6 @@ pub unsafe extern "C" fn v_path_set_first_frame(path: *mut V_PATH, number: c_int
 }
 
 /// Gets the number of the first pose.
-/// V_ERR_NULL, V_ERR_HANDLE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_first_frame(path: *const V_PATH, number: *mut c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -312,8 +305,7 @@ pub unsafe extern "C" fn v_path_get_first_frame(path: *const V_PATH, number: *mu
 /// Sets the object shown with a path; NULL: none. The window draws its lines and the
 /// edges of its triangles; beyond 1,000,000 points of lines, only points where they end
 /// or bend. v_path_check() uses the triangles.
-/// V_ERR_NULL, V_ERR_SIZE, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT,
-/// V_ERR_MEMORY.
+/// V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_object(path: *mut V_PATH, object: *const V_MESH) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -329,7 +321,7 @@ pub unsafe extern "C" fn v_path_set_object(path: *mut V_PATH, object: *const V_M
 
 /// Gets the object shown with a path, 0 points without one. The arrays are valid until
 /// the same thread's next call of this function or its end.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_MEMORY.
+/// V_ERR_SIZE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_object(path: *const V_PATH, mesh: *mut V_MESH) -> c_int {
     border(V_ERR_INTERNAL, || {

@@ -22,7 +22,7 @@ use crate::path::{CurveKind, Tangents, curve};
 ///       "chordal"      likewise, but a cusp or loop is possible
 ///       "cubic"        a cubic spline with a continuous second derivative
 ///       "linear"       straight
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+/// V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_curve(path: *mut V_PATH, kind: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -34,7 +34,6 @@ pub unsafe extern "C" fn v_path_set_curve(path: *mut V_PATH, kind: *const c_char
 }
 
 /// Gets the kind of the curve; the text is constant.
-/// V_ERR_NULL, V_ERR_HANDLE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_curve(path: *const V_PATH, kind: *mut *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -48,7 +47,7 @@ pub unsafe extern "C" fn v_path_get_curve(path: *const V_PATH, kind: *mut *const
 /// Gives a point custom tangents: the derivatives with which the curve reaches it
 /// (before) and leaves it (after), a segment counting 1; if both are NULL, those of the
 /// curve's kind again. Coordinates as in v_path_insert_point().
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE.
+/// V_ERR_ARGUMENT, V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[before; 3], [after; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_tangents(
@@ -74,7 +73,7 @@ pub unsafe extern "C" fn v_path_set_tangents(
 /// Gets the tangents of the curve at a point, equal at an end of an open path, and
 /// whether they are custom: 1 or 0. Setting them does not change the curve, except for
 /// rounding in a cubic spline.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+/// V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[before; 3], [after; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_tangents(
@@ -116,7 +115,7 @@ pub unsafe extern "C" fn v_path_get_tangents(
 /// them permanent. *at receives its index; it may be NULL.
 ///
 /// frame  not at a key, not in a pan, not with V_ORIENTATION_BARRY_GOLDMAN
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_insert_on_curve(
     path: *mut V_PATH,

@@ -112,7 +112,7 @@ impl SpaceOut {
 /// Positions, offsets, tangents and lengths of a path are in your world's units. Base
 /// frames, limits (V_LIMITS, v_path_check()) and the distances below which nothing
 /// moves count in units of half_size.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE.
+/// V_ERR_ARGUMENT, V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[centre; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_space(
@@ -129,7 +129,6 @@ pub unsafe extern "C" fn v_path_set_space(
 }
 
 /// Gets the space.
-/// V_ERR_NULL, V_ERR_HANDLE.
 /// cbindgen:ptrs-as-arrays=[[centre; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_space(
@@ -166,7 +165,7 @@ pub unsafe extern "C" fn v_space_init_sized(space: *mut V_SPACE, size: usize) {
 
 /// Makes a new path in a space, placed as that of v_path_new() is in its own, as in a
 /// new window with this space. NULL: like v_path_new().
-/// V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY, V_ERR_LIMIT.
+/// V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_new_in_space(
     space: *const V_SPACE,
@@ -188,7 +187,7 @@ pub unsafe extern "C" fn v_path_new_in_space(
 /// frames too. Rolls are then measured from the new axis. Views that track a target or
 /// look ahead get the old axis as their up, "y" or "z" (v_path_set_up()); one that
 /// equals the new axis becomes "axis".
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
+/// V_ERR_RANGE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_change_up(path: *mut V_PATH, up: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -200,7 +199,7 @@ pub unsafe extern "C" fn v_path_change_up(path: *mut V_PATH, up: c_int) -> c_int
 /// (V_UP_Y, V_UP_Z): sets a relative target, the pose's vpn, and roll and zoom.
 /// Everything else in *orientation is unchanged: call v_orientation_init() before. vpn
 /// and vup have any length but 0 and are not parallel.
-/// V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE.
+/// V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_orientation_from_pose(
     pose: *const V_POSE,

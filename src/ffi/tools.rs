@@ -83,7 +83,7 @@ fn range(document: &Document, first: c_int, last: c_int) -> Answer<Vec<usize>> {
 ///     around x y z (0), radius (0.7), height (0.4), width (1.2),
 ///     from degrees (0), zoom mm (24), seconds (10)
 ///
-/// V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_from_move(
     r#move: *const c_char,
@@ -98,7 +98,7 @@ pub unsafe extern "C" fn v_path_from_move(
 /// Like v_path_from_move(), in a space; NULL: that of v_space_init(). With V_UP_Z,
 /// headings are towards +x (0) and +y (90), and heights along z. Default lengths are
 /// multiplied by half_size; default positions are the centre.
-/// V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_from_move_in_space(
     r#move: *const c_char,
@@ -135,8 +135,7 @@ pub unsafe extern "C" fn v_path_from_move_in_space(
 /// matrix  column by column, without shear; its last row is 0 0 0 1
 /// with_targets  1: with targets, views and rolls; 0: absolute targets stay in place,
 ///     relative ones keep their direction
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (shear, or a point at its own target),
-/// V_ERR_RANGE, V_ERR_MEMORY.
+/// V_ERR_ARGUMENT (shear, or a point at its own target), V_ERR_RANGE, V_ERR_MEMORY.
 /// cbindgen:ptrs-as-arrays=[[matrix; 16]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_transform(
@@ -169,7 +168,7 @@ fn zero_or_one(number: c_int, name: &'static str) -> Answer<bool> {
 /// Deforms the points from first_point to last_point like v_deform(), with their custom
 /// tangents, and with their targets (with_targets 1) or not (0). box NULL: the bounds
 /// of the points.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 /// cbindgen:ptrs-as-arrays=[[box; 6]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_deform(
@@ -200,7 +199,7 @@ pub unsafe extern "C" fn v_path_deform(
 
 /// Copies the points from first_point to last_point into a new, open path with the same
 /// curve. On a closed path first_point may be after last_point.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY, V_ERR_LIMIT.
+/// V_ERR_RANGE, V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_extract(
     path: *const V_PATH,
@@ -231,8 +230,8 @@ pub unsafe extern "C" fn v_path_extract(
 /// Except with V_FIT_NONE, the block's first point is merged with that point, which
 /// keeps its views; with V_FIT_SCALE its last point likewise with the next one. A
 /// closed block ends where it begins. Duplicate names get a number.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no direction, or no length to scale),
-/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// V_ERR_ARGUMENT (no direction, or no length to scale), V_ERR_RANGE, V_ERR_LIMIT,
+/// V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_insert_path(
     path: *mut V_PATH,
@@ -270,7 +269,7 @@ pub unsafe extern "C" fn v_path_insert_path(
 
 /// Reverses a path: the same poses in reverse order. Views that look ahead do so in the
 /// new direction.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_MEMORY.
+/// V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_reverse(path: *mut V_PATH) -> c_int {
     border(V_ERR_INTERNAL, || edit(path, Edit::Reverse))
@@ -278,7 +277,7 @@ pub unsafe extern "C" fn v_path_reverse(path: *mut V_PATH) -> c_int {
 
 /// Repeats a path count times. Each repetition begins where the last one ended, with
 /// its targets; a closed path is run through count times.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_repeat(path: *mut V_PATH, count: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -291,7 +290,7 @@ pub unsafe extern "C" fn v_path_repeat(path: *mut V_PATH, count: c_int) -> c_int
 /// paths have. Paths with fewer points are first resampled by length to the largest
 /// number. Everything else comes from the path with the greatest weight. The count
 /// weights have the sum 1.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_blend(
     paths: *const *mut V_PATH,

@@ -52,8 +52,8 @@ unsafe impl Growing for V_VIEW {
 /// projection, x and y are then from -1 to 1, z 0 in the front plane and -1 in the back
 /// plane; in a perspective projection, |x| and |y| at most z, and z 1 in the back
 /// plane.
-/// V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT (up parallel to normal), V_ERR_RANGE (prp not
-/// in front of the front plane, back plane not behind it, empty window).
+/// V_ERR_SIZE, V_ERR_ARGUMENT (up parallel to normal), V_ERR_RANGE (prp not in front of
+/// the front plane, back plane not behind it, empty window).
 /// cbindgen:ptrs-as-arrays=[[m; 16]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_view_matrix(view: *const V_VIEW, m: *mut f64) -> c_int {
@@ -70,7 +70,7 @@ pub unsafe extern "C" fn v_view_matrix(view: *const V_VIEW, m: *mut f64) -> c_in
 /// Gets the perspective view of a camera in a pose. aspect is the picture's width
 /// divided by its height; front and back are the planes' distances from the camera, 0 <
 /// front < back.
-/// V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE.
+/// V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_view_from_pose(
     pose: *const V_POSE,
@@ -96,7 +96,7 @@ pub unsafe extern "C" fn v_view_from_pose(
 
 /// Gets the matrix of a camera in a pose as gluLookAt() makes it, for glLoadMatrixd():
 /// 16 numbers, column by column, from the world to the eye, looking along -z.
-/// V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE.
+/// V_ERR_ARGUMENT, V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[m; 16]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_pose_gl_matrix(pose: *const V_POSE, m: *mut f64) -> c_int {
