@@ -339,7 +339,7 @@ fn usual(rate: f64) -> f64 {
 }
 
 /// Frames per second: what the file says first, then the user, else `otherwise`. A rate beyond the
-/// range is told.
+/// range is reported.
 pub(super) fn rate(
     said: &[Option<f64>],
     options: &Options,

@@ -64,18 +64,18 @@ pub enum Error {
     NoClip {
         /// The name.
         wanted: Text,
-        /// Those that there are.
+        /// The existing names.
         known: Text,
     },
     /// The frames asked for are not there.
     #[error("the frames are {first} to {last}")]
     NoFrames {
-        /// The first one that there is.
+        /// The first existing frame.
         first: f64,
         /// The last one.
         last: f64,
     },
-    /// An option that there is not.
+    /// An unknown option.
     #[error("there is no option \"{0}\"; options are {names}", names = names(OPTIONS.iter().map(|row| row.name)))]
     NoOption(Text),
     /// An option cannot have this value.
@@ -126,7 +126,7 @@ pub enum Error {
     /// The format holds a whole document, of which nothing can be chosen.
     #[error("{0}: a .vid file holds all of a document as it is")]
     Whole(&'static str),
-    /// The format has another axis upright.
+    /// The format has another up axis.
     #[error("in the format {format} the {up} axis stands upright")]
     OtherUp {
         /// The format.
@@ -134,10 +134,14 @@ pub enum Error {
         /// Its axis.
         up: &'static str,
     },
+<<<<<<< HEAD
     /// Poses at their own times, of another format or at a rate.
     #[error("times=own is for the formats tum, euroc, osg and kitti, without fps")]
     OwnTimes,
     /// Progress was told to end.
+=======
+    /// The progress callback ended it.
+>>>>>>> 190570af2abb6fafe2812312e4a04f0b0847ab0e
     #[error("it was stopped")]
     Stopped,
     /// In a file.

@@ -46,7 +46,7 @@ pub struct Format {
     pub endings: &'static [&'static str],
     /// Whole file names that are always of this format.
     pub file_names: &'static [&'static str],
-    /// Which axis is up in every file, if the format says so.
+    /// Which axis is up in every file, if the format prescribes it.
     pub up: Option<Up>,
     /// What of a scene it holds.
     pub holds: Holds,

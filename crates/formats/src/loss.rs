@@ -23,7 +23,7 @@ pub enum Loss {
     Interpolations(usize),
     /// Deformed objects go out at rest.
     Deformations(usize),
-    /// Nodes whose motion was computed anew, a key a frame, since no track goes that way.
+    /// Nodes whose motion was resampled, a key a frame, since no track can express it.
     Resampled(usize),
     /// Deformed or morphed objects go out as their points, frame by frame where these move.
     Forms(usize),
@@ -31,7 +31,7 @@ pub enum Loss {
     Scaled(usize),
     /// Channels of the host.
     HostChannels(usize),
-    /// The camera's roll in so many poses.
+    /// The camera's roll; in how many poses.
     Roll(usize),
     /// The field of view, in a format without one.
     FieldOfView,
@@ -39,7 +39,7 @@ pub enum Loss {
     FieldsClamped(usize),
     /// Times, in a format without: a pose a frame.
     Times,
-    /// Lens distortion of so many cameras.
+    /// Lens distortion; of how many cameras.
     Distortion(usize),
     /// Principal points off the picture's centre.
     OffCentre(usize),
@@ -53,7 +53,7 @@ pub enum Loss {
     LeftOut(Text),
     /// The program has no frames of these numbers, only 0 to `last`: they are counted from 1.
     FrameNumbers { first: f64, last: f64 },
-    /// The viewer joins the keys by a spline of its own.
+    /// The viewer joins the keys by its own spline.
     OwnSpline,
     /// A path was fitted: points, the farthest position, the largest angle in degrees.
     Fitted {
@@ -67,11 +67,11 @@ pub enum Loss {
         seconds: f64,
         by_frame: f64,
     },
-    /// The file has this axis upright, and what it is put into another one.
+    /// The file has this up axis, and the document another one.
     Upright(&'static str),
     /// Poses at the same time as the one before, which counts.
     RepeatedTimes(usize),
-    /// The times begin at so many seconds, and count from 0 here.
+    /// The times begin at this second, and count from 0 here.
     Epoch(f64),
     /// Rates beyond the range.
     Rates(usize),
@@ -91,7 +91,7 @@ pub enum Loss {
     OtherScenes(usize),
     /// Tracks of properties that nodes here do not have.
     OtherTracks(usize),
-    /// Sizes of nodes whose matrices scale, in so many frames.
+    /// Sizes of nodes whose matrices scale; in how many frames.
     Sizes(usize),
     /// Anything else that is not taken, by its name in the file.
     NotTaken { what: Text, count: usize },
@@ -213,31 +213,31 @@ fn counted(f: &mut fmt::Formatter<'_>, count: usize, what: &str) -> fmt::Result 
     write!(f, "{count} {}", what.replace('%', plural(count)))
 }
 
-/// What is told of a file that was written or read.
+/// The losses of a file that was written or read.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Report {
     losses: Vec<Loss>,
 }
 
-/// More are not told one by one.
+/// More are not reported one by one.
 const MOST: usize = 100;
 
 impl Report {
-    /// Tells of a loss, once.
+    /// Reports a loss, once.
     pub fn add(&mut self, loss: Loss) {
         if self.losses.len() < MOST && !self.losses.contains(&loss) {
             self.losses.push(loss);
         }
     }
 
-    /// Tells of as many as there are, if there are some.
+    /// Reports a loss of `count` items, if any.
     pub fn count(&mut self, count: usize, loss: impl FnOnce(usize) -> Loss) {
         if count > 0 {
             self.add(loss(count));
         }
     }
 
-    /// Tells of as many as there are of anything else, if there are some.
+    /// Reports `count` items of anything else, if any.
     pub fn not_taken(&mut self, what: &str, count: usize) {
         self.count(count, |count| Loss::NotTaken {
             what: what.into(),

@@ -1,5 +1,5 @@
 //! `camera_path.json` of nerfstudio (Tancik et al. 2023), what `ns-render camera-path` renders: one
-//! entry a frame, and the keys that its viewer shows and joins by a spline of its own. The camera
+//! entry a frame, and the keys that its viewer shows and joins by its own spline. The camera
 //! looks along −z, z is up, fields of view are vertical and in degrees.
 
 use std::io::Write;

@@ -43,7 +43,7 @@ pub struct Options {
     pub start: Option<f64>,
     /// Width and height of a picture in pixels.
     pub size: [u32; 2],
-    /// Which axis stands upright in the file; none: as the format says.
+    /// Which axis is up in the file; none: as the format says.
     pub up: Option<Up>,
     /// Lengths in the file for one of the document's; > 0.
     pub scale: f64,

@@ -1,6 +1,6 @@
 //! `transforms.json` of neural radiance fields (Mildenhall et al. 2020; instant-ngp; nerfstudio): an
-//! array of frames with the matrix to the world, row by row. The camera looks along −z, z stands
-//! upright. There are no times; frames are in the order of the array.
+//! array of frames with the matrix to the world, row by row. The camera looks along −z, z is
+//! up. There are no times; frames are in the order of the array.
 
 use std::io::Write;
 

@@ -1,8 +1,8 @@
 //! The file window: a directory, a filter, a name (thesis A.5, fig. A.8).
 //!
 //! By mouse: a click chooses, a double click takes, a name is proposed for saving. By keyboard: the
-//! name has it, the up and down arrows go through the list, Enter takes, Alt and the up arrow go to
-//! the directory above.
+//! name has the focus, the up and down arrows go through the list, Enter takes, Alt and the up arrow
+//! go to the directory above.
 
 use std::path::{Path, PathBuf};
 

@@ -2,8 +2,8 @@
 //!
 //! First splines that are smooth and near the poses (`fit/motion.rs`); then pieces, each as long as
 //! it may be (`fit/piece.rs`), that begin and end in the states of the splines, at a pace of their
-//! own (`fit/pace.rs`): so directions, speeds and turning go on from one to the next, and
-//! accelerations nearly; those of the turning then wholly (`fit/joins.rs`). If the path misses a
+//! own (`fit/pace.rs`): so directions, speeds and turning are continuous from one to the next,
+//! accelerations nearly, and those of the turning exactly, after `fit/joins.rs`. If the path misses a
 //! pose after all, it is made again with the noise left in.
 
 mod corners;
@@ -35,7 +35,7 @@ use crate::path::{
     Target, Up, Velocities,
 };
 
-/// A pose missed by no more than so many times the tolerance counts as met.
+/// A pose missed by at most this multiple of the tolerance counts as met.
 const WITHIN: f64 = 1.001;
 
 /// How well the path must meet the poses.
@@ -88,7 +88,7 @@ pub struct Options {
     pub tolerance: Tolerance,
     /// The space of the path; none: the smallest round the positions, with a tenth to spare.
     pub space: Option<Space>,
-    /// What stands upright where no space says.
+    /// The up axis, if `space` is none.
     pub up: Up,
     /// Poses that are off by more than the tolerance from what those around them say are left out.
     pub robust: bool,
@@ -122,8 +122,8 @@ pub type Progress<'a> = &'a mut dyn FnMut(usize, usize) -> bool;
 struct Data {
     /// In frames from the first; those near a whole frame stand at it.
     times: Vec<f64>,
-    /// One for each time. Where the recording ends between frames, the last one is none of its
-    /// poses but what it is on its way to at the next frame.
+    /// One for each time. Where the recording ends between frames, the last one is not a
+    /// recorded pose but what it is on its way to at the next frame.
     raw: Vec<Sample>,
     /// Which pose of the recording each is: poses at equal times are dropped.
     numbers: Vec<usize>,
@@ -221,6 +221,7 @@ pub fn fit(
     })
 }
 
+<<<<<<< HEAD
 /// The path of at most so many points, at least 2, that needs the least tolerance, to within a
 /// twentieth; and that tolerance. [`Options::tolerance`] has the ratio of length and angle.
 ///
@@ -264,6 +265,9 @@ pub fn fit_points(
 }
 
 /// One point for so many poses is few enough.
+=======
+/// Poses per point from which on a path has few enough points.
+>>>>>>> 190570af2abb6fafe2812312e4a04f0b0847ab0e
 const FEW: usize = 6;
 
 /// What is tried in turn until there are few enough points, with such a share of the tolerance: a

@@ -251,7 +251,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// The keys of a sampler, so many numbers each.
+    /// The keys of a sampler, `width` numbers each.
     fn keys(&mut self, sampler: At<'_>, width: usize) -> Result<Keys> {
         let accessor = |name| -> Result<(At<'_>, Accessor<'_>)> {
             let at = sampler.need(name)?;

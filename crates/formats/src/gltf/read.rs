@@ -1,8 +1,8 @@
 //! A file as a scene: every node with its mesh, camera or light.
 //!
 //! What we wrote as several nodes (a camera with children, a pivot) comes back as one. A camera or
-//! light without children is one node of ours, turned to look along z; with children, or beside a
-//! mesh, it hangs on a node of its own.
+//! light without children is one node of ours, turned to look along z; with children, or with
+//! a mesh, it becomes a separate node.
 
 use std::borrow::Cow;
 use std::collections::{HashMap, HashSet};
