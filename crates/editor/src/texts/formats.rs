@@ -74,8 +74,13 @@ german! {
     Way {
         Gltf => "bitte aus dem Programm, das sie schrieb, als glTF ausgeben";
         Poses => "bitte die Posen ausgeben, etwa als TUM, CSV oder transforms.json";
-        ColmapText => "bitte das Modell mit „colmap model_converter“ als Text ausgeben";
+        Metres => "bitte ihre Posen in Metern schreiben, etwa als TUM";
+        Chan => "bitte die Kamera aus Nuke als .chan ausgeben";
+        Colmap(command) => "bitte das Modell mit „{command}“ als Text ausgeben";
+        Transforms(command) => "bitte mit „{command}“ eine transforms.json daraus machen";
         Log => "bitte die Posen herausziehen, etwa mit „evo_traj“ als TUM";
+        NoCameras => "sie haben Punkte und keine Kameras";
+        Unpack => "bitte auspacken";
     }
     Place {
         Whole => "";
