@@ -49,6 +49,12 @@ pub enum Loss {
     Sheared(usize),
     /// Animations that are left out, by their names.
     OtherAnimations(Text),
+    /// Models beside the one that is read, by its name and as it has the most images.
+    OtherModels {
+        read: Text,
+        images: u64,
+        others: usize,
+    },
     /// The program has no frames of these numbers, only 0 to `last`: they are counted from 1.
     FrameNumbers { first: f64, last: f64 },
     /// The viewer joins the keys by a spline of its own.
@@ -96,6 +102,7 @@ pub enum Loss {
 }
 
 impl fmt::Display for Loss {
+    #[expect(clippy::too_many_lines)] // a sentence each
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::OtherNodes(n) => counted(f, *n, "other node% left out"),
@@ -148,6 +155,15 @@ impl fmt::Display for Loss {
             Self::Skins(n) => write!(f, "{n} skinned meshes as at rest"),
             Self::Sheared(n) => counted(f, *n, "node% without their shear"),
             Self::OtherAnimations(all) => write!(f, "animations left out (option clip): {all}"),
+            Self::OtherModels {
+                read,
+                images,
+                others,
+            } => write!(
+                f,
+                "{others} other model{} left out: {read} has the most images ({images})",
+                plural(*others)
+            ),
             Self::FrameNumbers { first, last } => write!(
                 f,
                 "the first frame is 1 and not {first}: its frames are whole numbers from 0 to {last}"

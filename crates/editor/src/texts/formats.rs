@@ -146,6 +146,8 @@ german! {
         Sheared(count) => "Knoten ohne ihre Scherung: {count}";
         RepeatedTimes(count) => "Posen zur gleichen Zeit wie die vorige bleiben weg: {count}";
         OtherAnimations(names) => "Animationen bleiben weg: {names}; eine wählt clip";
+        OtherModels { read, images, others } =>
+            "andere Modelle bleiben weg: {others}; {read} hat die meisten Aufnahmen ({images})";
         FrameNumbers { first, last } =>
             "das erste Bild ist 1 und nicht {}: dort sind es ganze Zahlen von 0 bis {}", number(*first), number(*last);
         OwnSpline => "der Betrachter verbindet die Schlüssel durch eine eigene Kurve";
