@@ -5,6 +5,8 @@ use std::fmt;
 use vides_document::error::{Index, Text};
 use vides_engine::limits::MAX_FPS;
 
+use super::options::DEFAULT_SIZE;
+
 /// Something that is lost on the way, or worth a word.
 #[derive(Debug, Clone, PartialEq)]
 #[allow(missing_docs)]
@@ -89,6 +91,14 @@ pub enum Loss {
     Textures(usize),
     /// Cameras without perspective, taken as with it.
     Orthographic(usize),
+    /// Pictures of unknown size, taken as square.
+    SquarePictures,
+    /// Pictures of unknown size, taken as of the size without a word.
+    UnknownSize,
+    /// The poses are in a world that another one was transformed into.
+    AppliedTransform,
+    /// The poses are in a world whose lengths are those of the capture by this factor.
+    NormalisedWorld(f64),
     /// Pictures whose pixels are not square: the height counts.
     Oblong(usize),
     /// Scenes beside the first.
@@ -202,6 +212,24 @@ impl fmt::Display for Loss {
             Self::Orthographic(n) => {
                 counted(f, *n, "camera% without perspective, taken as with it")
             }
+            Self::SquarePictures => {
+                f.write_str("the size of the pictures is unknown: taken as square (option size)")
+            }
+            Self::UnknownSize => {
+                let [width, height] = DEFAULT_SIZE;
+                write!(
+                    f,
+                    "the size of the pictures is unknown: taken as {width}x{height} (option size)"
+                )
+            }
+            Self::AppliedTransform => f.write_str(
+                "applied_transform is in the poses: their world is not that of the capture",
+            ),
+            Self::NormalisedWorld(scale) => write!(
+                f,
+                "the poses are in nerfstudio's world: its lengths are those of the capture times \
+                 {scale} (dataparser_transforms.json)"
+            ),
             Self::Oblong(n) => write!(
                 f,
                 "the width of {n} picture{} whose pixels are not square: their height counts",

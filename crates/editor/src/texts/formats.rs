@@ -166,6 +166,12 @@ german! {
         ColourTracks(count) => "Farben, die sich ändern, wie am Anfang: {count}";
         Textures(count) => "Texturen bleiben weg: {count}";
         Orthographic(count) => "Kameras ohne Perspektive, wie mit ihr: {count}";
+        SquarePictures => "die Größe der Aufnahmen ist unbekannt: wie quadratisch; size nennt sie";
+        UnknownSize => "die Größe der Aufnahmen ist unbekannt: wie 1920x1080; size nennt sie";
+        AppliedTransform => "applied_transform steckt in den Posen: ihre Welt ist nicht die der Aufnahme";
+        NormalisedWorld(scale) =>
+            "die Posen sind in der Welt von nerfstudio: ihre Längen sind {} mal die der Aufnahme (dataparser_transforms.json)",
+            number(*scale);
         Oblong(count) => "Bilder, deren Pixel nicht quadratisch sind: es gilt die Höhe: {count}";
         OtherScenes(count) => "andere Szenen bleiben weg: {count}";
         OtherTracks(count) => "Animationen anderer Eigenschaften bleiben weg: {count}";

@@ -60,7 +60,7 @@ pub(super) fn head(
         push_text(&mut text, value);
     }
     let half_size = flight.scene().space().half_size * flight.options().scale;
-    let [width, height] = flight.options().size;
+    let [width, height] = flight.pixels();
     let (fps, up) = (flight.fps(), flight.up().name());
     let _ = write!(
         text,
