@@ -164,7 +164,7 @@ fn recognised(source: &Source) -> Result<&'static Format> {
     let found: Vec<_> = read.iter().copied().filter(fits).collect();
     let file = Path::new(&source.name);
     match *found {
-        [] => match Foreign::of(&source.name, &source.bytes, source.beginning()) {
+        [] => match Foreign::of(source) {
             Some(foreign) => Err(Error::Foreign(foreign)),
             None => named(file, &read).ok_or(Error::NotRecognised),
         },

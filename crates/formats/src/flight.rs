@@ -17,7 +17,7 @@ use super::convention::{self, focal_pixels};
 use super::error::{Error, Result};
 use super::format::{Format, Holds};
 use super::loss::{Loss, Report};
-use super::options::{Options, Times};
+use super::options::{DEFAULT_SIZE, Options, Times};
 use super::space;
 
 /// A share of a frame that is rounding.
@@ -197,8 +197,14 @@ impl<'a> Flight<'a> {
 
     /// Width and height of a picture in pixels.
     #[must_use]
+    pub fn pixels(&self) -> [u32; 2] {
+        self.options.size.unwrap_or(DEFAULT_SIZE)
+    }
+
+    /// The same as numbers to calculate with.
+    #[must_use]
     pub fn size(&self) -> [f64; 2] {
-        self.options.size.map(f64::from)
+        self.pixels().map(f64::from)
     }
 
     /// The focal length of a zoom in pixels.

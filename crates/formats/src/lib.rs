@@ -38,6 +38,7 @@ mod names;
 mod nerfstudio;
 mod options;
 mod osg;
+mod picture;
 mod rows;
 mod saving;
 mod script;

@@ -5,6 +5,8 @@ use std::fmt;
 use vides_document::error::{Index, Text};
 use vides_engine::limits::MAX_FPS;
 
+use super::options::DEFAULT_SIZE;
+
 /// Something that is lost on the way, or worth a word.
 #[derive(Debug, Clone, PartialEq)]
 #[allow(missing_docs)]
@@ -51,6 +53,12 @@ pub enum Loss {
     OtherAnimations(Text),
     /// What cannot be read, and why.
     LeftOut(Text),
+    /// Models beside the one that is read, by its name and as it has the most images.
+    OtherModels {
+        read: Text,
+        images: u64,
+        others: usize,
+    },
     /// The program has no frames of these numbers, only 0 to `last`: they are counted from 1.
     FrameNumbers { first: f64, last: f64 },
     /// The viewer joins the keys by its own spline.
@@ -85,6 +93,14 @@ pub enum Loss {
     Textures(usize),
     /// Cameras without perspective, taken as with it.
     Orthographic(usize),
+    /// Pictures of unknown size, taken as square.
+    SquarePictures,
+    /// Pictures of unknown size, taken as of the size without a word.
+    UnknownSize,
+    /// The poses are in a world that another one was transformed into.
+    AppliedTransform,
+    /// The poses are in a world whose lengths are those of the capture by this factor.
+    NormalisedWorld(f64),
     /// Pictures whose pixels are not square: the height counts.
     Oblong(usize),
     /// Scenes beside the first.
@@ -98,7 +114,7 @@ pub enum Loss {
 }
 
 impl fmt::Display for Loss {
-    #[allow(clippy::too_many_lines)] // a line each
+    #[expect(clippy::too_many_lines)] // a sentence each
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::OtherNodes(n) => counted(f, *n, "other node% left out"),
@@ -152,6 +168,15 @@ impl fmt::Display for Loss {
             Self::Sheared(n) => counted(f, *n, "node% without their shear"),
             Self::LeftOut(what) => write!(f, "left out: {what}"),
             Self::OtherAnimations(all) => write!(f, "animations left out (option clip): {all}"),
+            Self::OtherModels {
+                read,
+                images,
+                others,
+            } => write!(
+                f,
+                "{others} other model{} left out: {read} has the most images ({images})",
+                plural(*others)
+            ),
             Self::FrameNumbers { first, last } => write!(
                 f,
                 "the first frame is 1 and not {first}: its frames are whole numbers from 0 to {last}"
@@ -190,6 +215,24 @@ impl fmt::Display for Loss {
             Self::Orthographic(n) => {
                 counted(f, *n, "camera% without perspective, taken as with it")
             }
+            Self::SquarePictures => {
+                f.write_str("the size of the pictures is unknown: taken as square (option size)")
+            }
+            Self::UnknownSize => {
+                let [width, height] = DEFAULT_SIZE;
+                write!(
+                    f,
+                    "the size of the pictures is unknown: taken as {width}x{height} (option size)"
+                )
+            }
+            Self::AppliedTransform => f.write_str(
+                "applied_transform is in the poses: their world is not that of the capture",
+            ),
+            Self::NormalisedWorld(scale) => write!(
+                f,
+                "the poses are in nerfstudio's world: its lengths are those of the capture times \
+                 {scale} (dataparser_transforms.json)"
+            ),
             Self::Oblong(n) => write!(
                 f,
                 "the width of {n} picture{} whose pixels are not square: their height counts",

@@ -8,6 +8,9 @@ use super::error::{Error, Result};
 /// The most decimals of a line: what is worth writing in the smallest spaces that are used.
 pub const MAX_DECIMALS: usize = 30;
 
+/// The size of a picture where neither file nor user says.
+pub(super) const DEFAULT_SIZE: [u32; 2] = [1920, 1080];
+
 /// What the motion of a camera becomes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum As {
@@ -41,8 +44,9 @@ pub struct Options {
     pub times: Option<Times>,
     /// The time of the first pose in formats whose poses have times, in seconds; none: 0.
     pub start: Option<f64>,
-    /// Width and height of a picture in pixels.
-    pub size: [u32; 2],
+    /// Width and height of a picture in pixels; none: 1920 × 1080; a file that is read
+    /// may say it itself.
+    pub size: Option<[u32; 2]>,
     /// Which axis is up in the file; none: as the format says.
     pub up: Option<Up>,
     /// Lengths in the file for one of the document's; > 0.
@@ -70,7 +74,7 @@ impl Default for Options {
             fps: None,
             times: None,
             start: None,
-            size: [1920, 1080],
+            size: None,
             up: None,
             scale: 1.0,
             as_: None,
@@ -187,7 +191,7 @@ pub const OPTIONS: &[OptionRow] = &[
         set: |options, text| {
             let (width, height) = text.split_once('x')?;
             let side = |text: &str| text.parse::<u16>().ok().filter(|side| *side > 0);
-            options.size = [side(width)?.into(), side(height)?.into()];
+            options.size = Some([side(width)?.into(), side(height)?.into()]);
             Some(())
         },
     },
@@ -339,7 +343,7 @@ mod tests {
             (options.fps, options.frames),
             (Some(30.0), Some((-5.0, 12.5)))
         );
-        assert_eq!((options.size, options.up), ([640, 480], Some(Up::Z)));
+        assert_eq!((options.size, options.up), (Some([640, 480]), Some(Up::Z)));
         assert_eq!(
             Options::parse("rotation-order=xyz").unwrap().rotation_order,
             [0, 1, 2]

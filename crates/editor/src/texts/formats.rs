@@ -75,8 +75,13 @@ german! {
     Way {
         Gltf => "bitte aus dem Programm, das sie schrieb, als glTF ausgeben";
         Poses => "bitte die Posen ausgeben, etwa als TUM, CSV oder transforms.json";
-        ColmapText => "bitte das Modell mit „colmap model_converter“ als Text ausgeben";
+        Metres => "bitte ihre Posen in Metern schreiben, etwa als TUM";
+        Chan => "bitte die Kamera aus Nuke als .chan ausgeben";
+        Colmap(command) => "bitte das Modell mit „{command}“ als Text ausgeben";
+        Transforms(command) => "bitte mit „{command}“ eine transforms.json daraus machen";
         Log => "bitte die Posen herausziehen, etwa mit „evo_traj“ als TUM";
+        NoCameras => "sie haben Punkte und keine Kameras";
+        Unpack => "bitte auspacken";
     }
     Place {
         Whole => "";
@@ -143,6 +148,8 @@ german! {
         RepeatedTimes(count) => "Posen zur gleichen Zeit wie die vorige bleiben weg: {count}";
         LeftOut(what) => "weggelassen: {what}";
         OtherAnimations(names) => "Animationen bleiben weg: {names}; eine wählt clip";
+        OtherModels { read, images, others } =>
+            "andere Modelle bleiben weg: {others}; {read} hat die meisten Aufnahmen ({images})";
         FrameNumbers { first, last } =>
             "das erste Bild ist 1 und nicht {}: dort sind es ganze Zahlen von 0 bis {}", number(*first), number(*last);
         OwnSpline => "der Betrachter verbindet die Schlüssel durch eine eigene Kurve";
@@ -161,6 +168,12 @@ german! {
         ColourTracks(count) => "Farben, die sich ändern, wie am Anfang: {count}";
         Textures(count) => "Texturen bleiben weg: {count}";
         Orthographic(count) => "Kameras ohne Perspektive, wie mit ihr: {count}";
+        SquarePictures => "die Größe der Aufnahmen ist unbekannt: wie quadratisch; size nennt sie";
+        UnknownSize => "die Größe der Aufnahmen ist unbekannt: wie 1920x1080; size nennt sie";
+        AppliedTransform => "applied_transform steckt in den Posen: ihre Welt ist nicht die der Aufnahme";
+        NormalisedWorld(scale) =>
+            "die Posen sind in der Welt von nerfstudio: ihre Längen sind {} mal die der Aufnahme (dataparser_transforms.json)",
+            number(*scale);
         Oblong(count) => "Bilder, deren Pixel nicht quadratisch sind: es gilt die Höhe: {count}";
         OtherScenes(count) => "andere Szenen bleiben weg: {count}";
         OtherTracks(count) => "Animationen anderer Eigenschaften bleiben weg: {count}";

@@ -66,7 +66,7 @@ pub(super) fn head(
         _ => Camera::default(),
     };
     let [near, far] = flight.planes(planes)?;
-    let [width, height] = flight.options().size;
+    let [width, height] = flight.pixels();
     let (fps, up) = (flight.fps(), flight.up().name());
     let _ = write!(
         text,
