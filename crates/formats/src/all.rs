@@ -5,8 +5,8 @@ use std::path::Path;
 use super::error::{Error, NAMES, Result};
 use super::format::Format;
 use super::{
-    ascii, cameras, chan, colmap, csv, euroc, gltf, html, json, kitti, nerfstudio, osg, script,
-    transforms, tum, usd, vid,
+    ascii, cameras, chan, colmap, csv, euroc, gltf, html, json, kitti, matrices, nerfstudio, osg,
+    script, transforms, tum, usd, vid,
 };
 
 /// All formats, in the order in which they are offered.
@@ -30,6 +30,7 @@ pub fn formats() -> &'static [&'static Format] {
         &tum::TUM,
         &euroc::EUROC,
         &kitti::KITTI,
+        &matrices::MATRICES,
         &colmap::COLMAP,
         &osg::OSG,
         &chan::CHAN,

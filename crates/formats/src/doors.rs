@@ -44,7 +44,9 @@ pub fn export(
     let mut report = Report::default();
     let mut flight = Flight::new(document, options, format, progress)?;
     if !format.is_folder() {
-        save_with(file, &mut |out| format.write(&mut flight, out, &mut report))?;
+        save_with(file, &mut |out| {
+            format.write(file, &mut flight, out, &mut report)
+        })?;
         return Ok(report);
     }
     // A file of the folder may stand for it.
@@ -100,7 +102,7 @@ pub fn export_to(
     }
     let mut report = Report::default();
     let mut flight = Flight::new(document, options, format, progress)?;
-    format.write(&mut flight, out, &mut report)?;
+    format.write(Path::new(""), &mut flight, out, &mut report)?;
     Ok(report)
 }
 
@@ -117,7 +119,7 @@ pub fn losses(document: &SceneDocument, format: &Format, options: &Options) -> R
             format.write_by(write, &mut flight, &mut io::sink(), &mut report)?;
         }
     } else {
-        format.write(&mut flight, &mut io::sink(), &mut report)?;
+        format.write(Path::new(""), &mut flight, &mut io::sink(), &mut report)?;
     }
     Ok(report)
 }

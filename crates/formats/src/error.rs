@@ -8,7 +8,7 @@ use super::foreign::Foreign;
 use super::options::OPTIONS;
 
 /// The names of all formats, in the order in which they are offered, which errors tell.
-pub(super) const NAMES: [&str; 20] = [
+pub(super) const NAMES: [&str; 21] = [
     "vid",
     "ascii",
     "csv",
@@ -26,6 +26,7 @@ pub(super) const NAMES: [&str; 20] = [
     "tum",
     "euroc",
     "kitti",
+    "matrices",
     "colmap",
     "osg",
     "chan",
@@ -292,6 +293,8 @@ pub enum Wanted {
     Value,
     Literal(&'static str),
     ImagePoints,
+    LastRow,
+    Matrices,
 }
 
 impl fmt::Display for Wanted {
@@ -305,6 +308,8 @@ impl fmt::Display for Wanted {
             Self::Object => "an object",
             Self::Numbers(count) => return write!(f, "{count} numbers"),
             Self::Matrix => "a matrix of 4 × 4 numbers",
+            Self::LastRow => "a matrix whose last row is 0 0 0 1",
+            Self::Matrices => "an array of N × 4 × 4 or N × 3 × 4 numbers",
             Self::ImagePoints => "the points of the image before, or an empty line",
             Self::Rotation => "a matrix that turns and does not mirror",
             Self::Name => "a name",

@@ -57,6 +57,8 @@ pub struct Format {
     pub read: Option<Reader>,
     /// Writes its one file; none if it is a folder, or read only.
     pub write: Option<Writer>,
+    /// Writers of files with these endings, if the format has more than one kind of file.
+    pub by_ending: &'static [(&'static str, Writer)],
     /// The files of a format that is a folder, in the order in which they are written.
     pub parts: &'static [(&'static str, Writer)],
     /// Files that would be read before the parts, or together with them: into a folder that has one
@@ -76,6 +78,7 @@ impl Format {
         recognises: |_| false,
         read: None,
         write: None,
+        by_ending: &[],
         parts: &[],
         barred: &[],
     };
@@ -131,17 +134,22 @@ impl Format {
         read(source, options, report)
     }
 
-    /// Writes its one file.
+    /// Writes its one file, of the kind that the file's ending names.
     ///
     /// # Errors
     /// [`Error::NotWritten`]; as [`Format::write_by`].
     pub(super) fn write(
         &self,
+        file: &Path,
         flight: &mut Flight<'_>,
         out: &mut dyn Write,
         report: &mut Report,
     ) -> Result<()> {
         let write = self.write.ok_or(Error::NotWritten(self.name))?;
+        let ending = file.extension().unwrap_or_default();
+        let mut others = self.by_ending.iter();
+        let other = others.find(|(known, _)| ending.eq_ignore_ascii_case(known));
+        let write = other.map_or(write, |&(_, other)| other);
         self.write_by(write, flight, out, report)
     }
 

@@ -1,5 +1,7 @@
 //! Random paths through the formats that hold a list of poses, and back.
 
+#[path = "pose_lists/known.rs"]
+mod known;
 #[path = "pose_lists/refused.rs"]
 mod refused;
 
@@ -13,10 +15,12 @@ use vides_engine::path::{Pose, Up};
 use vides_formats::{Flight, Format, Loss, Options, Source, by_name, export, formats, import};
 
 /// A format, a file of it, whether it keeps fields of view, and whether it keeps times.
-const LISTS: [(&str, &str, bool, bool); 9] = [
+const LISTS: [(&str, &str, bool, bool); 11] = [
     ("tum", "a.tum", false, true),
     ("euroc", "a.euroc", false, true),
     ("kitti", "a.kitti", false, false),
+    ("matrices", "a.matrices", false, false),
+    ("matrices", "a.npy", false, false),
     ("colmap", "model", true, false),
     ("osg", "a.path", false, true),
     ("chan", "a.chan", true, true),
@@ -496,5 +500,6 @@ fn every_list_is_tried() {
     let mut known: Vec<_> = LISTS.iter().map(|list| list.0).chain(OTHERS).collect();
     names.sort_unstable();
     known.sort_unstable();
+    known.dedup();
     assert_eq!(names, known);
 }

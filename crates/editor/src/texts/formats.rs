@@ -117,6 +117,8 @@ german! {
         Name => "Name";
         Value => "Wert";
         Literal(text) => "„{text}“";
+        LastRow => "Matrix, deren letzte Zeile 0 0 0 1 ist,";
+        Matrices => "Feld von N × 4 × 4 oder N × 3 × 4 Zahlen";
         ImagePoints => "Punkte des Bildes davor oder eine leere Zeile";
     }
     Loss {

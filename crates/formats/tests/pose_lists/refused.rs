@@ -6,7 +6,11 @@ const TURNS: &str = "a matrix that turns and does not mirror";
 
 /// Reading fails with this sentence and nothing else.
 fn refused(name: &str, text: &str, said: &str) {
-    let source = Source::of_bytes("file", text.into());
+    refused_bytes(name, text.into(), said);
+}
+
+fn refused_bytes(name: &str, bytes: Vec<u8>, said: &str) {
+    let source = Source::of_bytes("file", bytes);
     let format = by_name(name).unwrap();
     let error = import(&source, Some(format), &Options::default()).unwrap_err();
     assert_eq!(error.to_string(), format!("file: {said}"), "{name}");
@@ -52,6 +56,33 @@ fn what_is_wrong_in_lines_is_one_sentence_with_its_place() {
             "1 0 0 0 0 1 0 0 0 0 -1 0",
             &format!("line 1: expected {TURNS}"),
         ),
+        (
+            "matrices",
+            "1 0 0 0\n0 1 0 0\n\n0 0 1 0",
+            "line 4: the file ends too early",
+        ),
+        (
+            "matrices",
+            "1 0 0 0\n0 1 0 0\n0 0 1 0 0",
+            "line 3: expected 4 numbers, found 5",
+        ),
+        (
+            "matrices",
+            "1 0 0 0 0 1 0 0 0 0 1 0 1 2 3 1",
+            "line 1: expected a matrix whose last row is 0 0 0 1",
+        ),
+        (
+            "matrices",
+            "1 0 0 0 0 1 0 0 0 0 -1 0 0 0 0 1",
+            &format!("line 1: expected {TURNS}"),
+        ),
+        (
+            "matrices",
+            "2 1 0 0 0 0 1 0 0 0 0 1 0\n2 1 0 0 0 0 1 0 0 0 0 1 0",
+            "line 2: the times must increase",
+        ),
+        ("matrices", "0 0 0", "line 1: expected 16 numbers, found 3"),
+        ("matrices", "", "there are no poses in this file"),
         (
             "chan",
             "1 0 0 0 0 0 0 60\n0 0 0 0 0 0 0 60",
@@ -178,5 +209,65 @@ fn times_far_apart_are_refused_before_any_work() {
         let made = import(&source, by_name(name).ok(), &options);
         let flown = made.map(|made| made.document.scene.frame_count());
         assert!(!matches!(flown, Ok(Ok(_))), "{name}");
+    }
+}
+
+#[test]
+fn what_is_wrong_in_an_array_is_one_sentence_with_its_place() {
+    let array = |header: &str, data: &[u8]| {
+        let length = u16::try_from(header.len()).unwrap().to_le_bytes();
+        let head = b"\x93NUMPY\x01\x00";
+        [head, &length[..], header.as_bytes(), data].concat()
+    };
+    let of = |kind: &str, shape: &str| {
+        format!("{{'descr': {kind}, 'fortran_order': False, 'shape': {shape}, }}")
+    };
+    let (doubles, floats) = (of("'<f8'", "(1, 4, 4)"), of("'<f4'", "(2, 3, 4)"));
+    let nan = f64::NAN.to_le_bytes().repeat(16);
+    for (bytes, said) in [
+        (
+            b"\x93NUMPY\x01\x00".to_vec(),
+            "byte 8: the file ends too early",
+        ),
+        (array("", b""), "byte 10: expected \"descr\""),
+        (
+            array(&of("'>f8'", "(1, 4, 4)"), b""),
+            "byte 10: descr '>f8' is not read",
+        ),
+        (
+            array(&of("[('x', '<f8')]", "(1,)"), b""),
+            "byte 10: descr [('x' is not read",
+        ),
+        (
+            array(&doubles.replace("False", "True"), b""),
+            "byte 10: fortran_order True is not read",
+        ),
+        (
+            array(&of("'<f8'", "(2, 16)"), b""),
+            "byte 10: expected an array of N × 4 × 4 or N × 3 × 4 numbers",
+        ),
+        (
+            array(&of("'<f8'", "(9223372036854775807, 4, 4)"), b"1234"),
+            "byte 94: the file ends too early",
+        ),
+        (
+            array(&doubles, &[0; 127]),
+            "byte 199: the file ends too early",
+        ),
+        (
+            array(&doubles, &[0; 128]),
+            "byte 72: expected a matrix whose last row is 0 0 0 1",
+        ),
+        (array(&doubles, &nan), "byte 72: the number must be finite"),
+        (
+            array(&floats, &[0; 96]),
+            &format!("byte 72: expected {TURNS}"),
+        ),
+        (
+            array(&of("'<f8'", "(0, 4, 4)"), b""),
+            "there are no poses in this file",
+        ),
+    ] {
+        refused_bytes("matrices", bytes, said);
     }
 }

@@ -1,0 +1,108 @@
+//! Files written by hand, whose poses are known.
+
+use glam::DVec3;
+use vides_engine::path::Pose;
+use vides_formats::{Content, Loss, Options, Recording, Report, Source, by_name, read};
+
+use super::{options, written};
+
+/// What a file of this name holds, and the format that its content shows.
+fn taken(file: &str, bytes: &[u8]) -> (&'static str, Recording, Vec<Loss>) {
+    let source = Source::of_bytes(file, bytes.into());
+    let mut report = Report::default();
+    let (name, content) = read(&source, None, &Options::default(), &mut report).unwrap();
+    let Content::Poses(recording) = content else {
+        panic!("{file}: no poses");
+    };
+    (name, recording, report.losses().to_vec())
+}
+
+fn is_at(pose: &Pose, place: [f64; 3], view: DVec3, up: DVec3) {
+    let pairs = [(pose.vrp, place.into()), (pose.vpn, view), (pose.vup, up)];
+    for (found, wanted) in pairs {
+        assert!(DVec3::from(found).distance(wanted) < 1e-12, "{pose:?}");
+    }
+}
+
+/// Two cameras at (1, 2, 3) and (4, 5, 6): the first has the axes of the world, the second looks
+/// along x, y up.
+fn is_pair(recording: &Recording) {
+    let [first, second] = recording.poses.as_slice() else {
+        panic!("{} poses", recording.poses.len());
+    };
+    is_at(first, [1.0, 2.0, 3.0], DVec3::Z, DVec3::NEG_Y);
+    is_at(second, [4.0, 5.0, 6.0], DVec3::X, DVec3::Y);
+}
+
+const ROWS: [[&str; 4]; 2] = [
+    ["1 0 0 1", "0 1 0 2", "0 0 1 3", "0 0 0 1"],
+    ["0 0 1 4", "0 -1 0 5", "1 0 0 6", "0 0 0 1"],
+];
+
+#[test]
+fn matrices_in_every_layout_are_the_same_poses() {
+    let [a, b] = ROWS;
+    let three = |rows: [&str; 4]| rows[..3].join(" ");
+    for text in [
+        format!("{}\n{}\n", a.join(" "), b.join(" ")),
+        format!("{}\n\n{}", a.join("\n"), b.join("\n")),
+        format!("# scene\n{}\n{}\n", a.join(", "), b.join(",")),
+        format!("7 {} \n11 {} \n", three(a), three(b)),
+        format!("7 {}\n11 {}\n", a.join("\t"), b.join(" ")),
+    ] {
+        let (name, recording, losses) = taken("poses.txt", text.as_bytes());
+        is_pair(&recording);
+        let numbered = text.starts_with('7');
+        assert_eq!(name, "matrices");
+        assert_eq!(recording.frames, numbered.then_some(vec![7.0, 11.0]));
+        assert_eq!(losses.contains(&Loss::Times), !numbered);
+        assert!(losses.contains(&Loss::FieldOfView));
+    }
+    let text = format!("{}\n{}\n", three(a), three(b));
+    assert_eq!(taken("poses.txt", text.as_bytes()).0, "kitti");
+}
+
+/// Arrays that `numpy.save` has written.
+#[test]
+fn arrays_of_numpy_are_poses() {
+    for bytes in [
+        &include_bytes!("../../../../tests/corpus/formats/matrices/f8_4x4.npy")[..],
+        include_bytes!("../../../../tests/corpus/formats/matrices/f4_3x4.npy"),
+        include_bytes!("../../../../tests/corpus/formats/matrices/version_2.npy"),
+    ] {
+        let (name, recording, losses) = taken("poses.npy", bytes);
+        is_pair(&recording);
+        assert_eq!(name, "matrices");
+        assert_eq!(losses, [Loss::FieldOfView, Loss::Times]);
+    }
+}
+
+/// What `numpy.save` writes of the same array, byte for byte but for rounding and the sign of zeros.
+#[test]
+fn a_written_array_is_one_of_numpy() {
+    let of_numpy = include_bytes!("../../../../tests/corpus/formats/matrices/f8_4x4.npy");
+    let source = Source::of_bytes("poses.npy", of_numpy.to_vec());
+    let read = vides_formats::import(&source, by_name("matrices").ok(), &options("as=keys"));
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("again.NPY");
+    written(
+        &read.unwrap().document,
+        "matrices",
+        &file,
+        &Options::default(),
+    );
+    let again = std::fs::read(file).unwrap();
+    assert_eq!(
+        (again.len(), &again[..128]),
+        (of_numpy.len(), &of_numpy[..128])
+    );
+    let numbers = |bytes: &[u8]| {
+        let eights = bytes[128..].chunks_exact(8);
+        let numbers = eights.map(|bytes| f64::from_le_bytes(bytes.try_into().unwrap()));
+        numbers.collect::<Vec<_>>()
+    };
+    let pairs = numbers(&again).into_iter().zip(numbers(of_numpy));
+    for (found, wanted) in pairs {
+        assert!((found - wanted).abs() < 1e-12, "{found} {wanted}");
+    }
+}
