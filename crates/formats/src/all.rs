@@ -5,8 +5,8 @@ use std::path::Path;
 use super::error::{Error, NAMES, Result};
 use super::format::Format;
 use super::{
-    ascii, cameras, chan, colmap, csv, euroc, gltf, html, json, kitti, matrices, nerfstudio, osg,
-    script, transforms, tum, usd, vid,
+    ascii, cameras, chan, colmap, csv, euroc, gltf, html, json, kitti, matrices, nerfstudio,
+    open3d, osg, script, transforms, tum, usd, vid,
 };
 
 /// All formats, in the order in which they are offered.
@@ -31,6 +31,7 @@ pub fn formats() -> &'static [&'static Format] {
         &euroc::EUROC,
         &kitti::KITTI,
         &matrices::MATRICES,
+        &open3d::OPEN3D,
         &colmap::COLMAP,
         &osg::OSG,
         &chan::CHAN,

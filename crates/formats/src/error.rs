@@ -8,7 +8,7 @@ use super::foreign::Foreign;
 use super::options::OPTIONS;
 
 /// The names of all formats, in the order in which they are offered, which errors tell.
-pub(super) const NAMES: [&str; 21] = [
+pub(super) const NAMES: [&str; 22] = [
     "vid",
     "ascii",
     "csv",
@@ -27,6 +27,7 @@ pub(super) const NAMES: [&str; 21] = [
     "euroc",
     "kitti",
     "matrices",
+    "open3d",
     "colmap",
     "osg",
     "chan",

@@ -42,7 +42,7 @@ pub struct Format {
     pub name: &'static str,
     /// As people call it.
     pub title: &'static str,
-    /// File name extensions, without the dot; the first is proposed.
+    /// File name extensions, without the dot; the first is proposed. See [`Format::all_endings`].
     pub endings: &'static [&'static str],
     /// Whole file names that are always of this format.
     pub file_names: &'static [&'static str],
@@ -101,6 +101,12 @@ impl Format {
         !self.parts.is_empty()
     }
 
+    /// The extensions of its files, of every kind.
+    pub fn all_endings(&self) -> impl Iterator<Item = &'static str> {
+        let others = self.by_ending.iter().map(|&(ending, _)| ending);
+        self.endings.iter().copied().chain(others)
+    }
+
     /// Whether a file of this name is of the format: by the whole name, or by the ending.
     #[must_use]
     pub fn is_named(&self, file: &Path) -> bool {
@@ -116,7 +122,7 @@ impl Format {
 
     pub(super) fn has_ending(&self, file: &Path) -> bool {
         let ending = file.extension().unwrap_or_default();
-        let mut known = self.endings.iter();
+        let mut known = self.all_endings();
         known.any(|known| ending.eq_ignore_ascii_case(known))
     }
 

@@ -38,6 +38,7 @@ mod matrices;
 mod names;
 mod nerfstudio;
 mod npy;
+mod open3d;
 mod options;
 mod osg;
 mod rows;

@@ -20,7 +20,7 @@ use super::{convention, npy, rows};
 pub(super) static MATRICES: Format = Format {
     name: "matrices",
     title: "4 × 4 matrices",
-    endings: &["matrices", "npy"],
+    endings: &["matrices"],
     file_names: &["traj.txt"],
     recognises: |source| npy::is_array(&source.bytes) || is_matrices(source.beginning()),
     read: Some(read),

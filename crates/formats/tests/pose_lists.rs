@@ -15,12 +15,14 @@ use vides_engine::path::{Pose, Up};
 use vides_formats::{Flight, Format, Loss, Options, Source, by_name, export, formats, import};
 
 /// A format, a file of it, whether it keeps fields of view, and whether it keeps times.
-const LISTS: [(&str, &str, bool, bool); 11] = [
+const LISTS: [(&str, &str, bool, bool); 13] = [
     ("tum", "a.tum", false, true),
     ("euroc", "a.euroc", false, true),
     ("kitti", "a.kitti", false, false),
     ("matrices", "a.matrices", false, false),
     ("matrices", "a.npy", false, false),
+    ("open3d", "camera_trajectory.json", true, false),
+    ("open3d", "a.log", false, false),
     ("colmap", "model", true, false),
     ("osg", "a.path", false, true),
     ("chan", "a.chan", true, true),

@@ -106,3 +106,35 @@ fn a_written_array_is_one_of_numpy() {
         assert!((found - wanted).abs() < 1e-12, "{found} {wanted}");
     }
 }
+
+/// Made by hand as Open3D's source writes them: 525 pixels of focal length in a picture 480 high.
+#[test]
+fn trajectories_of_open3d_are_poses() {
+    let json = include_bytes!("../../../../tests/corpus/formats/open3d/valid.json");
+    let (name, recording, losses) = taken("a.json", json);
+    is_pair(&recording);
+    assert_eq!((name, losses), ("open3d", vec![Loss::Times]));
+    let zoom = 525.0 * 24.0 / 480.0;
+    let fits = |pose: &Pose| (pose.zoom - zoom).abs() < 1e-12;
+    assert!(recording.poses.iter().all(fits));
+    let one = include_bytes!("../../../../tests/corpus/formats/open3d/screen_camera.json");
+    let (name, recording, _) = taken("ScreenCamera.json", one);
+    assert_eq!((name, recording.poses.len()), ("open3d", 1));
+    is_at(&recording.poses[0], [4.0, 5.0, 6.0], DVec3::X, DVec3::Y);
+    let log = include_bytes!("../../../../tests/corpus/formats/open3d/valid.log");
+    let (name, recording, losses) = taken("a.txt", log);
+    is_pair(&recording);
+    assert_eq!(name, "open3d");
+    assert_eq!(losses, [Loss::Times, Loss::FieldOfView]);
+}
+
+/// The centre of a picture is at half a pixel less than half its size, or at that.
+#[test]
+fn only_a_centre_elsewhere_is_told_of_open3d() {
+    let json = include_str!("../../../../tests/corpus/formats/open3d/valid.json");
+    for (centre, off) in [("320.0", 0), ("319.5", 0), ("321.0", 2), ("318.0", 2)] {
+        let json = json.replace("319.5", centre);
+        let losses = taken("a.json", json.as_bytes()).2;
+        assert_eq!(losses.contains(&Loss::OffCentre(2)), off == 2, "{centre}");
+    }
+}

@@ -84,6 +84,18 @@ fn what_is_wrong_in_lines_is_one_sentence_with_its_place() {
         ("matrices", "0 0 0", "line 1: expected 16 numbers, found 3"),
         ("matrices", "", "there are no poses in this file"),
         (
+            "open3d",
+            "0 0 1\n1 0 0 1\n0 1 0 2\n0 0 1 3",
+            "line 4: the file ends too early",
+        ),
+        ("open3d", "0 0 1", "line 1: the file ends too early"),
+        ("open3d", "0 0", "line 1: expected 3 numbers, found 2"),
+        (
+            "open3d",
+            "0 0 1\n1 0 0 1\n0 1 0 2\n0 0 -1 3\n0 0 0 1",
+            &format!("line 2: expected {TURNS}"),
+        ),
+        (
             "chan",
             "1 0 0 0 0 0 0 60\n0 0 0 0 0 0 0 60",
             "line 2: the times must increase",
@@ -269,5 +281,45 @@ fn what_is_wrong_in_an_array_is_one_sentence_with_its_place() {
         ),
     ] {
         refused_bytes("matrices", bytes, said);
+    }
+}
+
+#[test]
+fn what_is_wrong_in_a_trajectory_of_open3d_is_one_sentence_with_its_place() {
+    let camera = |extrinsic: &str, width: i32, focal: f64| {
+        format!(
+            "{{\"parameters\": [{{\"extrinsic\": {extrinsic}, \"intrinsic\": {{\"width\": {width}, \
+             \"height\": 480, \"intrinsic_matrix\": [{focal},0,0,0,{focal},0,319.5,239.5,1]}}}}]}}"
+        )
+    };
+    let identity = "[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1]";
+    for (text, said) in [
+        ("{}", "parameters is not there"),
+        (
+            "{\"parameters\": [{}]}",
+            "parameters[0]: extrinsic is not there",
+        ),
+        (
+            &camera("[1]", 640, 525.0),
+            "parameters[0].extrinsic: expected 16 numbers, found 1",
+        ),
+        (
+            &camera("[1,0,0,4,0,1,0,5,0,0,1,6,0,0,0,1]", 640, 525.0),
+            "parameters[0].extrinsic: expected a matrix whose last row is 0 0 0 1",
+        ),
+        (
+            &camera("[0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,1]", 640, 525.0),
+            &format!("parameters[0].extrinsic: expected {TURNS}"),
+        ),
+        (
+            &camera(identity, -1, 525.0),
+            "parameters[0].intrinsic.width: expected a number greater than 0",
+        ),
+        (
+            &camera(identity, 640, 0.0),
+            "parameters[0].intrinsic.intrinsic_matrix: expected a number greater than 0",
+        ),
+    ] {
+        refused("open3d", text, said);
     }
 }
