@@ -5,7 +5,7 @@ use std::path::Path;
 use super::error::{Error, NAMES, Result};
 use super::format::Format;
 use super::{
-    ascii, cameras, chan, colmap, csv, euroc, gltf, html, json, kitti, matrices, nerfstudio,
+    ascii, cameras, chan, colmap, csv, euroc, gltf, html, json, kitti, matrices, nerfstudio, ngp,
     open3d, osg, script, transforms, tum, usd, vid,
 };
 
@@ -26,6 +26,7 @@ pub fn formats() -> &'static [&'static Format] {
         &html::HTML,
         &nerfstudio::NERFSTUDIO,
         &transforms::TRANSFORMS,
+        &ngp::NGP,
         &cameras::CAMERAS,
         &tum::TUM,
         &euroc::EUROC,

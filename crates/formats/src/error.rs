@@ -8,7 +8,7 @@ use super::foreign::Foreign;
 use super::options::OPTIONS;
 
 /// The names of all formats, in the order in which they are offered, which errors tell.
-pub(super) const NAMES: [&str; 22] = [
+pub(super) const NAMES: [&str; 23] = [
     "vid",
     "ascii",
     "csv",
@@ -22,6 +22,7 @@ pub(super) const NAMES: [&str; 22] = [
     "html",
     "nerfstudio",
     "transforms",
+    "instant-ngp",
     "cameras",
     "tum",
     "euroc",

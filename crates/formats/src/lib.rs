@@ -37,6 +37,7 @@ mod loss;
 mod matrices;
 mod names;
 mod nerfstudio;
+mod ngp;
 mod npy;
 mod open3d;
 mod options;

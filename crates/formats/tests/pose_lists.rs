@@ -15,7 +15,7 @@ use vides_engine::path::{Pose, Up};
 use vides_formats::{Flight, Format, Loss, Options, Source, by_name, export, formats, import};
 
 /// A format, a file of it, whether it keeps fields of view, and whether it keeps times.
-const LISTS: [(&str, &str, bool, bool); 13] = [
+const LISTS: [(&str, &str, bool, bool); 14] = [
     ("tum", "a.tum", false, true),
     ("euroc", "a.euroc", false, true),
     ("kitti", "a.kitti", false, false),
@@ -28,6 +28,7 @@ const LISTS: [(&str, &str, bool, bool); 13] = [
     ("chan", "a.chan", true, true),
     ("nerfstudio", "camera_path.json", true, true),
     ("transforms", "transforms.json", true, false),
+    ("instant-ngp", "base_cam.json", true, true),
     ("cameras", "cameras.json", true, false),
 ];
 

@@ -138,3 +138,32 @@ fn only_a_centre_elsewhere_is_told_of_open3d() {
         assert_eq!(losses.contains(&Loss::OffCentre(2)), off == 2, "{centre}");
     }
 }
+
+/// By hand as the source of instant-ngp does it with matrices of `transforms.json`: y and z columns
+/// mirrored, times 0.33, plus 0.5, then rows y, z, x.
+#[test]
+fn keys_of_instant_ngp_are_in_the_world_of_transforms() {
+    let gui = include_bytes!("../../../../tests/corpus/formats/instant-ngp/gui.json");
+    let (name, recording, losses) = taken("a.json", gui);
+    let [first, second] = recording.poses.as_slice() else {
+        panic!("{} poses", recording.poses.len());
+    };
+    is_at(first, [1.0, 2.0, 3.0], DVec3::NEG_Z, DVec3::Y);
+    is_at(second, [3.0, 1.0, 2.0], DVec3::NEG_X, DVec3::Z);
+    let wanted = 12.0 / (0.5 * 50.625_f64).to_radians().tan();
+    assert!((first.zoom - wanted).abs() < 1e-12);
+    assert_eq!((name, &recording.seconds), ("instant-ngp", &None));
+    let told: Vec<_> = losses.iter().map(ToString::to_string).collect();
+    assert_eq!(
+        told,
+        [
+            "there are no times: a pose is a frame",
+            "its viewer joins the keys by a spline of its own",
+            "loop is not taken, 1 of it",
+        ]
+    );
+    let timed = include_bytes!("../../../../tests/corpus/formats/instant-ngp/timed.json");
+    let (_, timed, losses) = taken("a.json", timed);
+    assert_eq!((timed.seconds, losses), (Some(vec![0.0, 0.5]), vec![]));
+    assert_eq!(timed.poses, recording.poses);
+}

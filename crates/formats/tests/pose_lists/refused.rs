@@ -323,3 +323,28 @@ fn what_is_wrong_in_a_trajectory_of_open3d_is_one_sentence_with_its_place() {
         refused("open3d", text, said);
     }
 }
+
+#[test]
+fn what_is_wrong_in_a_path_of_instant_ngp_is_one_sentence_with_its_place() {
+    let key = |key: &str| format!("{{\"path\": [{{{key}}}]}}");
+    for (text, said) in [
+        ("{}", "path is not there"),
+        ("{\"path\": []}", "there are no poses in this file"),
+        (&key(""), "path[0]: R is not there"),
+        (
+            &key("\"R\": [0, 0, 1]"),
+            "path[0].R: expected 4 numbers, found 3",
+        ),
+        (&key("\"R\": [1, 0, 0, 0]"), "path[0]: T is not there"),
+        (
+            &key("\"R\": [0, 0, 0, 0], \"T\": [0, 0, 0]"),
+            "path[0].R: the rotation is zero",
+        ),
+        (
+            &key("\"R\": [1, 0, 0, 0], \"T\": [0, 0, 0], \"fov\": 0"),
+            "path[0].fov: expected a number greater than 0",
+        ),
+    ] {
+        refused("instant-ngp", text, said);
+    }
+}
