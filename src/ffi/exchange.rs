@@ -14,8 +14,8 @@ use crate::formats::{self, Format, Loss, Options, Report, Source};
 /// missing folder is created only for colmap, inside an existing one.
 ///
 /// format   gltf, glb, usda, blender, paraview, vtk, nerfstudio, transforms,
-///     instant-ngp, cameras, tum, euroc, kitti, matrices, open3d, colmap (a folder), osg,
-///     chan, html, ascii, csv, json or vid; NULL: by the name of the file
+///     instant-ngp, cameras, supersplat, tum, euroc, kitti, matrices, open3d, colmap (a
+///     folder), osg, chan, html, ascii, csv, json or vid; NULL: by the name of the file
 /// options  lines of name=value ("fps=30\nnode=camera"); NULL: none. The names are
 ///     node, clip, frames, fps, start, size, up, scale, as, tolerance, angle, compact, digits
 ///     and rotation-order; `vides convert --help` explains them. The last of duplicates
@@ -56,9 +56,10 @@ pub unsafe extern "C" fn v_scene_export(
 /// fitted with few points; with "as=keys", or fewer than three poses, they become a
 /// camera with one key each. Free *scene with v_scene_free().
 ///
-/// format   gltf, glb, usda, nerfstudio, transforms, instant-ngp, cameras, tum, euroc,
-///     kitti, matrices, open3d, colmap, osg, chan, paraview (as v_scene_export() writes
-///     it; no code is run), ascii, csv, json or vid; NULL: by the content
+/// format   gltf, glb, usda, nerfstudio, transforms, instant-ngp, cameras, supersplat,
+///     tum, euroc, kitti, matrices, open3d, colmap, osg, chan, paraview (as
+///     v_scene_export() writes it; no code is run), ascii, csv, json or vid; NULL: by the
+///     content
 /// options  as for v_scene_export()
 ///
 /// The call returns V_OK even if parts of the file are ignored. v_last_warning() lists

@@ -6,7 +6,7 @@ use super::error::{Error, NAMES, Result};
 use super::format::Format;
 use super::{
     ascii, cameras, chan, colmap, csv, euroc, gltf, html, json, kitti, matrices, nerfstudio, ngp,
-    open3d, osg, script, transforms, tum, usd, vid,
+    open3d, osg, script, supersplat, transforms, tum, usd, vid,
 };
 
 /// All formats, in the order in which they are offered.
@@ -28,6 +28,7 @@ pub fn formats() -> &'static [&'static Format] {
         &transforms::TRANSFORMS,
         &ngp::NGP,
         &cameras::CAMERAS,
+        &supersplat::SUPERSPLAT,
         &tum::TUM,
         &euroc::EUROC,
         &kitti::KITTI,

@@ -135,6 +135,12 @@ pub fn of_ngp(rotation: DQuat, place: DVec3) -> (DQuat, DVec3) {
     )
 }
 
+/// SuperSplat turns a PLY by half a turn about z: a vector of either world in the other.
+#[must_use]
+pub fn supersplat(v: DVec3) -> DVec3 {
+    DVec3::new(-v.x, -v.y, v.z)
+}
+
 /// Takes the axes of a camera to ours.
 fn to_ours(axes: CameraAxes) -> DQuat {
     match axes {

@@ -8,7 +8,7 @@ use super::foreign::Foreign;
 use super::options::OPTIONS;
 
 /// The names of all formats, in the order in which they are offered, which errors tell.
-pub(super) const NAMES: [&str; 23] = [
+pub(super) const NAMES: [&str; 24] = [
     "vid",
     "ascii",
     "csv",
@@ -24,6 +24,7 @@ pub(super) const NAMES: [&str; 23] = [
     "transforms",
     "instant-ngp",
     "cameras",
+    "supersplat",
     "tum",
     "euroc",
     "kitti",

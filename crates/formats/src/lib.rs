@@ -47,6 +47,7 @@ mod saving;
 mod script;
 mod source;
 mod space;
+mod supersplat;
 mod transforms;
 mod tree;
 mod tum;

@@ -496,8 +496,19 @@ fn keys_of_the_viewer_are_ours() {
 /// A new format stands among the lists, or among those whose tests are elsewhere.
 #[test]
 fn every_list_is_tried() {
-    const OTHERS: [&str; 11] = [
-        "ascii", "csv", "json", "glb", "gltf", "usda", "vid", "html", "blender", "paraview", "vtk",
+    const OTHERS: [&str; 12] = [
+        "ascii",
+        "csv",
+        "json",
+        "glb",
+        "gltf",
+        "usda",
+        "vid",
+        "html",
+        "blender",
+        "paraview",
+        "vtk",
+        "supersplat",
     ];
     let mut names: Vec<_> = formats().iter().map(|format| format.name).collect();
     let mut known: Vec<_> = LISTS.iter().map(|list| list.0).chain(OTHERS).collect();

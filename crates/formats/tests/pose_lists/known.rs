@@ -1,10 +1,10 @@
 //! Files written by hand, whose poses are known.
 
 use glam::DVec3;
-use vides_engine::path::Pose;
+use vides_engine::path::{Pose, Up};
 use vides_formats::{Content, Loss, Options, Recording, Report, Source, by_name, read};
 
-use super::{options, written};
+use super::{differences, options, poses, pyramid, written};
 
 /// What a file of this name holds, and the format that its content shows.
 fn taken(file: &str, bytes: &[u8]) -> (&'static str, Recording, Vec<Loss>) {
@@ -166,4 +166,86 @@ fn keys_of_instant_ngp_are_in_the_world_of_transforms() {
     let (_, timed, losses) = taken("a.json", timed);
     assert_eq!((timed.seconds, losses), (Some(vec![0.0, 0.5]), vec![]));
     assert_eq!(timed.poses, recording.poses);
+}
+
+/// The same two keys in settings of both versions and in a document: at (1, 2, 3) and (4, 5, 6) of
+/// the PLY, which is turned by half a turn about z, in a picture of 16 × 9.
+#[test]
+fn tracks_of_supersplat_are_in_the_world_of_the_ply() {
+    let files = [
+        include_str!("../../../../tests/corpus/formats/supersplat/settings.json"),
+        include_str!("../../../../tests/corpus/formats/supersplat/version_1.json"),
+        include_str!("../../../../tests/corpus/formats/supersplat/document.json"),
+    ];
+    let told = [
+        vec![
+            "animTracks is not taken, 1 of it",
+            "loopMode is not taken, 1 of it",
+            "its viewer joins the keys by a spline of its own",
+        ],
+        vec!["its viewer joins the keys by a spline of its own"],
+        vec![
+            "a pose beyond the time line is not taken, 1 of it",
+            "its viewer joins the keys by a spline of its own",
+        ],
+    ];
+    for (at, (text, told)) in files.iter().zip(told).enumerate() {
+        let (name, recording, losses) = taken("a.json", text.as_bytes());
+        let losses: Vec<_> = losses.iter().map(ToString::to_string).collect();
+        assert_eq!(
+            (name, losses),
+            ("supersplat", told.iter().map(ToString::to_string).collect())
+        );
+        assert_eq!(recording.seconds, Some(vec![0.0, 1.0]));
+        assert_eq!(recording.fps, Some(30.0));
+        let [first, second] = recording.poses.as_slice() else {
+            panic!("{} poses", recording.poses.len());
+        };
+        let half = 0.5_f64.sqrt();
+        is_at(first, [1.0, 2.0, 3.0], DVec3::Z, DVec3::NEG_Y);
+        let (view, up) = (DVec3::new(0.0, -half, -half), DVec3::new(0.0, -half, half));
+        is_at(second, [4.0, 5.0, 6.0], view, up);
+        // 90° across are 2·atan(9/16) down; the first file of version 1 has them for both.
+        assert!((first.zoom - 12.0 * 16.0 / 9.0).abs() < 1e-12);
+        let degrees: f64 = if at == 1 { 90.0 } else { 60.0 };
+        let down = (0.5 * degrees).to_radians().tan() * 9.0 / 16.0;
+        assert!((second.zoom - 12.0 / down).abs() < 1e-12);
+    }
+}
+
+/// All but the roll comes back; a camera that the viewer holds upright comes back whole.
+#[test]
+fn a_track_of_supersplat_gives_the_flight_back() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("settings.json");
+    for size in ["1920x1080", "1080x1920", "500x500"] {
+        let choice = options(&format!("as=keys\nsize={size}"));
+        let document = pyramid();
+        let losses = written(&document, "supersplat", &file, &choice);
+        let went = poses(&document, Up::Y);
+        // The top of the PLY is down in its own axes.
+        assert!(losses.contains(&Loss::Roll(went.len())), "{losses:?}");
+        let source = Source::open(&file).unwrap();
+        let back = vides_formats::import(&source, None, &choice).unwrap();
+        assert_eq!((back.format, back.report.losses()), ("supersplat", &[][..]));
+        let came = poses(&back.document, Up::Y);
+        assert_eq!(went.len(), came.len());
+        for (went, came) in went.iter().zip(&came) {
+            assert!(went.position().distance(came.position()) < 1e-12);
+            assert!(went.view().distance(came.view()) < 1e-12);
+            assert!((went.zoom - came.zoom).abs() < 1e-9);
+            assert!(came.up().dot(went.up()) < 0.0);
+        }
+        let losses = written(&back.document, "supersplat", &file, &choice);
+        assert!(
+            !losses.iter().any(|loss| matches!(loss, Loss::Roll(_))),
+            "{losses:?}"
+        );
+        let again = vides_formats::import(&Source::open(&file).unwrap(), None, &choice).unwrap();
+        let [off, turned, field] = differences(&came, &poses(&again.document, Up::Y));
+        assert!(
+            off < 1e-12 && turned < 1e-6 && field < 1e-9,
+            "{off} {turned} {field}"
+        );
+    }
 }

@@ -348,3 +348,46 @@ fn what_is_wrong_in_a_path_of_instant_ngp_is_one_sentence_with_its_place() {
         refused("instant-ngp", text, said);
     }
 }
+
+#[test]
+fn what_is_wrong_in_a_track_of_supersplat_is_one_sentence_with_its_place() {
+    let track = |times: &str, targets: &str| {
+        format!(
+            "{{\"animTracks\": [{{\"frameRate\": 30, \"keyframes\": {{\"times\": {times}, \
+             \"values\": {{\"position\": [0,0,0,0,0,0], \"target\": {targets}}}}}}}]}}"
+        )
+    };
+    let document = |pose: &str| format!("{{\"poseSets\": [{{\"poses\": [{pose}, {pose}]}}]}}");
+    let pose = "{\"frame\": 1, \"position\": [0,0,0], \"target\": [0,0,1]}";
+    for (text, said) in [
+        ("{}", "poseSets is not there"),
+        ("{\"animTracks\": []}", "there are no poses in this file"),
+        ("{\"poseSets\": []}", "there are no poses in this file"),
+        (
+            "{\"animTracks\": [{}]}",
+            "animTracks[0]: keyframes is not there",
+        ),
+        (
+            &track("[0, 1]", "[0,0,1]"),
+            "animTracks[0].keyframes.values.target: expected 6 numbers, found 3",
+        ),
+        (
+            &track("[1, 0]", "[0,0,1,0,0,1]"),
+            "animTracks[0].keyframes.times[1]: the times must increase",
+        ),
+        (
+            &track("[0, 1]", "[0,0,1,0,0,0]"),
+            "animTracks[0].keyframes.values.target[3]: the rotation is zero",
+        ),
+        (
+            &document(pose),
+            "poseSets[0].poses[1].target: the times must increase",
+        ),
+        (
+            &document("{\"frame\": 1}"),
+            "poseSets[0].poses[0]: target is not there",
+        ),
+    ] {
+        refused("supersplat", text, said);
+    }
+}
