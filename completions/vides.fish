@@ -358,6 +358,7 @@ euroc\t''
 kitti\t''
 matrices\t''
 open3d\t''
+record3d\t''
 colmap\t''
 osg\t''
 chan\t''"

@@ -57,7 +57,7 @@ pub unsafe extern "C" fn v_scene_export(
 /// camera with one key each. Free *scene with v_scene_free().
 ///
 /// format   gltf, glb, usda, nerfstudio, transforms, instant-ngp, cameras, supersplat,
-///     tum, euroc, kitti, matrices, open3d, colmap, osg, chan, paraview (as
+///     tum, euroc, kitti, matrices, open3d, record3d, colmap, osg, chan, paraview (as
 ///     v_scene_export() writes it; no code is run), ascii, csv, json or vid; NULL: by the
 ///     content
 /// options  as for v_scene_export()

@@ -8,7 +8,7 @@ use super::foreign::Foreign;
 use super::options::OPTIONS;
 
 /// The names of all formats, in the order in which they are offered, which errors tell.
-pub(super) const NAMES: [&str; 24] = [
+pub(super) const NAMES: [&str; 25] = [
     "vid",
     "ascii",
     "csv",
@@ -30,6 +30,7 @@ pub(super) const NAMES: [&str; 24] = [
     "kitti",
     "matrices",
     "open3d",
+    "record3d",
     "colmap",
     "osg",
     "chan",

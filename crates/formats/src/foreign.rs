@@ -31,6 +31,8 @@ pub enum Way {
     ColmapText,
     /// The poses of a recording, by a program that reads such logs.
     Log,
+    /// The metadata in the archive.
+    Metadata,
 }
 
 impl fmt::Display for Way {
@@ -39,6 +41,9 @@ impl fmt::Display for Way {
             Self::Gltf => "export glTF from the program that made it",
             Self::Poses => "export the poses, as TUM, CSV or transforms.json for example",
             Self::ColmapText => "export the model as text with \"colmap model_converter\"",
+            Self::Metadata => {
+                "unpack its metadata, with \"unzip -p in.r3d metadata > metadata.json\""
+            }
             Self::Log => "extract the poses, as TUM with \"evo_traj\" for example",
         })
     }
@@ -74,7 +79,7 @@ const fn ending(name: &'static str, way: Way, endings: &'static [&'static str]) 
     }
 }
 
-static ALL: [Foreign; 32] = [
+static ALL: [Foreign; 31] = [
     magic("FBX", Way::Gltf, &[b"Kaydara FBX Binary", b"; FBX"]),
     magic("Alembic", Way::Gltf, &[b"Ogawa"]),
     magic("Blender", Way::Gltf, &[b"BLENDER"]),
@@ -108,7 +113,6 @@ static ALL: [Foreign; 32] = [
         &["Adobe After Effects"],
     ),
     text("SRT", Way::Poses, &["00:00:00,000 -->", "00:00:00.000 -->"]),
-    text("Record3D", Way::Poses, &["perFrameIntrinsicCoeffs"]),
     text("Earth Studio", Way::Poses, &["cameraFrames"]),
     text("CZML", Way::Poses, &["\"czml\""]),
     text(
@@ -117,7 +121,7 @@ static ALL: [Foreign; 32] = [
         &["set cut_paste_input", "window_layout_xml"],
     ),
     ending("KMZ", Way::Poses, &["kmz"]),
-    ending("Record3D", Way::Poses, &["r3d"]),
+    ending("Record3D", Way::Metadata, &["r3d"]),
     ending("Blender", Way::Gltf, &["blend"]),
     ending("Alembic", Way::Gltf, &["abc"]),
     ending("POV-Ray", Way::Poses, &["pov"]),

@@ -42,6 +42,7 @@ mod npy;
 mod open3d;
 mod options;
 mod osg;
+mod record3d;
 mod rows;
 mod saving;
 mod script;

@@ -75,6 +75,7 @@ german! {
         Gltf => "bitte aus dem Programm, das sie schrieb, als glTF ausgeben";
         Poses => "bitte die Posen ausgeben, etwa als TUM, CSV oder transforms.json";
         ColmapText => "bitte das Modell mit „colmap model_converter“ als Text ausgeben";
+        Metadata => "bitte die Metadaten auspacken, mit „unzip -p in.r3d metadata > metadata.json“";
         Log => "bitte die Posen herausziehen, etwa mit „evo_traj“ als TUM";
     }
     Place {

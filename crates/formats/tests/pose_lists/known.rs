@@ -249,3 +249,29 @@ fn a_track_of_supersplat_gives_the_flight_back() {
         );
     }
 }
+
+/// Poses by hand: OpenGL's axes, from camera to world, the quaternion's scalar last.
+#[test]
+fn metadata_of_record3d_are_poses() {
+    let all = include_str!("../../../../tests/corpus/formats/record3d/metadata.json");
+    let early = include_str!("../../../../tests/corpus/formats/record3d/early.json");
+    for (text, times, second, told) in [
+        (all, Some(vec![0.0, 0.5]), 24.0, vec![Loss::OffCentre(1)]),
+        (early, None, 20.0, vec![]),
+    ] {
+        let (name, recording, losses) = taken("a", text.as_bytes());
+        let [first, last] = recording.poses.as_slice() else {
+            panic!("{} poses", recording.poses.len());
+        };
+        is_at(first, [1.0, 2.0, 3.0], DVec3::NEG_Z, DVec3::Y);
+        // A quarter about y.
+        is_at(last, [4.0, 5.0, 6.0], DVec3::NEG_X, DVec3::Y);
+        // 800 and 960 pixels of focal length in a picture 960 high.
+        assert!((first.zoom - 20.0).abs() < 1e-12 && (last.zoom - second).abs() < 1e-12);
+        assert_eq!(
+            (name, recording.fps, recording.up),
+            ("record3d", Some(60.0), Some(Up::Y))
+        );
+        assert_eq!((recording.seconds, losses), (times, told));
+    }
+}

@@ -391,3 +391,37 @@ fn what_is_wrong_in_a_track_of_supersplat_is_one_sentence_with_its_place() {
         refused("supersplat", text, said);
     }
 }
+
+#[test]
+fn what_is_wrong_in_metadata_of_record3d_is_one_sentence_with_its_place() {
+    let pose = "\"poses\": [[0,0,0,1,0,0,0], [0,0,0,1,1,0,0]]";
+    for (text, said) in [
+        ("{}", "poses is not there"),
+        (
+            "{\"poses\": [[0,0,0,1,0,0]]}",
+            "poses[0]: expected 7 numbers, found 6",
+        ),
+        (
+            "{\"poses\": [[0,0,0,0,0,0,0]]}",
+            "poses[0]: the rotation is zero",
+        ),
+        (
+            &format!("{{{pose}, \"frameTimestamps\": [0]}}"),
+            "frameTimestamps: expected 2 numbers, found 1",
+        ),
+        (
+            &format!("{{{pose}, \"frameTimestamps\": [1, 1]}}"),
+            "frameTimestamps[1]: the times must increase",
+        ),
+        (
+            &format!("{{{pose}, \"perFrameIntrinsicCoeffs\": [[1, 1, 1, 1]]}}"),
+            "perFrameIntrinsicCoeffs: there is no number 1: there are 1",
+        ),
+        (
+            &format!("{{{pose}, \"K\": [0, 0, 0, 0, 0, 0, 0, 0, 1]}}"),
+            "K: expected a number greater than 0",
+        ),
+    ] {
+        refused("record3d", text, said);
+    }
+}
