@@ -359,6 +359,7 @@ kitti\t''
 matrices\t''
 open3d\t''
 record3d\t''
+polycam\t''
 colmap\t''
 osg\t''
 chan\t''"

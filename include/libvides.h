@@ -2810,14 +2810,14 @@ int v_scene_export(const V_SCENE *scene,
                    const char *options);
 
 /**
- * Reads another program's file, or a COLMAP folder, as a scene. Poses become a path
+ * Reads another program's file, or a folder of files, as a scene. Poses become a path
  * fitted with few points; with "as=keys", or fewer than three poses, they become a
  * camera with one key each. Free *scene with v_scene_free().
  *
  * format   gltf, glb, usda, nerfstudio, transforms, instant-ngp, cameras, supersplat,
- *     tum, euroc, kitti, matrices, open3d, record3d, colmap, osg, chan, paraview (as
- *     v_scene_export() writes it; no code is run), ascii, csv, json or vid; NULL: by the
- *     content
+ *     tum, euroc, kitti, matrices, open3d, record3d, polycam, colmap, osg, chan,
+ *     paraview (as v_scene_export() writes it; no code is run), ascii, csv, json or vid;
+ *     NULL: by the content
  * options  as for v_scene_export()
  *
  * The call returns V_OK even if parts of the file are ignored. v_last_warning() lists

@@ -6,7 +6,7 @@ use super::error::{Error, NAMES, Result};
 use super::format::Format;
 use super::{
     ascii, cameras, chan, colmap, csv, euroc, gltf, html, json, kitti, matrices, nerfstudio, ngp,
-    open3d, osg, record3d, script, supersplat, transforms, tum, usd, vid,
+    open3d, osg, polycam, record3d, script, supersplat, transforms, tum, usd, vid,
 };
 
 /// All formats, in the order in which they are offered.
@@ -35,6 +35,7 @@ pub fn formats() -> &'static [&'static Format] {
         &matrices::MATRICES,
         &open3d::OPEN3D,
         &record3d::RECORD3D,
+        &polycam::POLYCAM,
         &colmap::COLMAP,
         &osg::OSG,
         &chan::CHAN,

@@ -140,7 +140,7 @@ pub fn read(
             Some(format) => format,
             None => recognised(source)?,
         };
-        if source.is_folder && !format.is_folder() {
+        if source.is_folder && !format.is_folder() && !format.reads_folder {
             let directory = io::Error::other(vides_document::NotAFile::Directory);
             return Err(Error::Document(DocumentError::Io {
                 place: source.name.clone(),

@@ -8,7 +8,7 @@ use super::foreign::Foreign;
 use super::options::OPTIONS;
 
 /// The names of all formats, in the order in which they are offered, which errors tell.
-pub(super) const NAMES: [&str; 25] = [
+pub(super) const NAMES: [&str; 26] = [
     "vid",
     "ascii",
     "csv",
@@ -31,6 +31,7 @@ pub(super) const NAMES: [&str; 25] = [
     "matrices",
     "open3d",
     "record3d",
+    "polycam",
     "colmap",
     "osg",
     "chan",

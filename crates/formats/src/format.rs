@@ -55,6 +55,8 @@ pub struct Format {
     pub recognises: fn(&Source) -> bool,
     /// Reads a file, or a folder of files; none if it is written only.
     pub read: Option<Reader>,
+    /// Whether it also reads a folder with a file for each pose.
+    pub reads_folder: bool,
     /// Writes its one file; none if it is a folder, or read only.
     pub write: Option<Writer>,
     /// Writers of files with these endings, if the format has more than one kind of file.
@@ -77,6 +79,7 @@ impl Format {
         holds: Holds::Poses,
         recognises: |_| false,
         read: None,
+        reads_folder: false,
         write: None,
         by_ending: &[],
         parts: &[],

@@ -6,10 +6,11 @@
 use std::io::Write;
 
 use glam::{DMat3, DMat4};
+use vides_engine::limits::MAX_FILE_BYTES;
 use vides_engine::math::camera::CameraAxes;
 
 use super::content::{Content, DEFAULT_ZOOM, Recording};
-use super::error::{Cause, Place, Result, Wanted};
+use super::error::{Cause, Error, Place, Result, Wanted};
 use super::flight::Flight;
 use super::format::Format;
 use super::loss::{Loss, Report};
@@ -22,12 +23,28 @@ pub(super) static MATRICES: Format = Format {
     title: "4 × 4 matrices",
     endings: &["matrices"],
     file_names: &["traj.txt"],
-    recognises: |source| npy::is_array(&source.bytes) || is_matrices(source.beginning()),
+    recognises,
     read: Some(read),
+    reads_folder: true,
     write: Some(write),
     by_ending: &[("npy", npy::write)],
     ..Format::PLAIN
 };
+
+fn recognises(source: &Source) -> bool {
+    if source.is_folder {
+        let first = source.first_of(is_pose);
+        return first.is_some_and(|first| is_matrices(first.beginning()));
+    }
+    npy::is_array(&source.bytes) || is_matrices(source.beginning())
+}
+
+/// Whether a file has this name in a folder of poses: `frame-000000.pose.txt` or `0.txt`.
+fn is_pose(name: &str) -> bool {
+    let stem = name.strip_suffix(".txt").unwrap_or_default();
+    let is_number = !stem.is_empty() && stem.bytes().all(|byte| byte.is_ascii_digit());
+    is_number || stem.ends_with(".pose")
+}
 
 /// How far the last row may be from 0 0 0 1.
 const NEARLY: f64 = 1e-6;
@@ -96,6 +113,39 @@ fn read(source: &Source, _: &Options, report: &mut Report) -> Result<Content> {
     }
     let mut recording = Recording::default();
     let mut frames: Vec<f64> = Vec::new();
+    if source.is_folder {
+        let mut lost = 0;
+        for name in source.names(is_pose)? {
+            let file = Source::of_bytes(&name, source.beside(&name, MAX_FILE_BYTES)?);
+            let read = read_file(&file, &mut recording, &mut Vec::new());
+            match read {
+                // ScanNet has no numbers where the camera was lost.
+                Err(Error::Content {
+                    cause: Cause::NotFinite,
+                    ..
+                }) => lost += 1,
+                read => {
+                    read.map_err(|error| error.at(&format!("{}/{name}", source.name)))?;
+                    frames.try_reserve(1)?;
+                    frames.extend(Source::number_of(&name));
+                }
+            }
+        }
+        report.not_taken("a pose that is not finite", lost);
+    } else {
+        read_file(source, &mut recording, &mut frames)?;
+    }
+    let each = frames.len() == recording.poses.len() && frames.is_sorted_by(|a, b| a < b);
+    if each && !frames.is_empty() {
+        recording.frames = Some(frames);
+    } else {
+        report.add(Loss::Times);
+    }
+    Ok(Content::Poses(recording))
+}
+
+/// Appends the poses of a file, and the numbers of their frames if it has some.
+fn read_file(source: &Source, recording: &mut Recording, frames: &mut Vec<f64>) -> Result<()> {
     let mut lines = rows::rows(source.text()?);
     let width = lines.clone().next();
     let width = width.map_or(0, |(_, row)| rows::words(row).count());
@@ -122,12 +172,7 @@ fn read(source: &Source, _: &Options, report: &mut Report) -> Result<Content> {
         }
         recording.push(place.matrix(matrix, CameraAxes::OpenCv, DEFAULT_ZOOM)?)?;
     }
-    if frames.is_empty() {
-        report.add(Loss::Times);
-    } else {
-        recording.frames = Some(frames);
-    }
-    Ok(Content::Poses(recording))
+    Ok(())
 }
 
 fn write(flight: &mut Flight<'_>, out: &mut dyn Write, report: &mut Report) -> Result<()> {

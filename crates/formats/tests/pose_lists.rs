@@ -496,7 +496,7 @@ fn keys_of_the_viewer_are_ours() {
 /// A new format stands among the lists, or among those whose tests are elsewhere.
 #[test]
 fn every_list_is_tried() {
-    const OTHERS: [&str; 13] = [
+    const OTHERS: [&str; 14] = [
         "ascii",
         "csv",
         "json",
@@ -510,6 +510,7 @@ fn every_list_is_tried() {
         "vtk",
         "supersplat",
         "record3d",
+        "polycam",
     ];
     let mut names: Vec<_> = formats().iter().map(|format| format.name).collect();
     let mut known: Vec<_> = LISTS.iter().map(|list| list.0).chain(OTHERS).collect();

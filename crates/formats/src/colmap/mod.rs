@@ -4,7 +4,6 @@
 
 mod binary;
 mod model;
-mod natural;
 mod text;
 mod write;
 

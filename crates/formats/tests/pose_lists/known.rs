@@ -275,3 +275,77 @@ fn metadata_of_record3d_are_poses() {
         assert_eq!((recording.seconds, losses), (times, told));
     }
 }
+
+/// What a folder of files gives, with the names and texts in it.
+fn taken_together(files: &[(&str, &str)]) -> (&'static str, Recording, Vec<Loss>) {
+    let folder = tempfile::tempdir().unwrap();
+    for (name, text) in files {
+        std::fs::write(folder.path().join(name), text).unwrap();
+    }
+    let source = Source::open(folder.path()).unwrap();
+    let mut report = Report::default();
+    let (name, content) = read(&source, None, &Options::default(), &mut report).unwrap();
+    let Content::Poses(recording) = content else {
+        panic!("no poses");
+    };
+    (name, recording, report.losses().to_vec())
+}
+
+#[test]
+fn a_folder_of_cameras_of_polycam_is_a_recording() {
+    let files = [
+        (
+            "10500000.json",
+            include_str!("../../../../tests/corpus/formats/polycam/10500000.json"),
+        ),
+        (
+            "9000000.json",
+            include_str!("../../../../tests/corpus/formats/polycam/9000000.json"),
+        ),
+        ("mesh_info.json", "{}"),
+    ];
+    let (name, recording, losses) = taken_together(&files);
+    let [first, second] = recording.poses.as_slice() else {
+        panic!("{} poses", recording.poses.len());
+    };
+    is_at(first, [1.0, 2.0, 3.0], DVec3::NEG_Z, DVec3::Y);
+    is_at(second, [4.0, 5.0, 6.0], DVec3::NEG_X, DVec3::Y);
+    assert!((first.zoom - 800.0 * 24.0 / 768.0).abs() < 1e-12);
+    assert_eq!(
+        (name, recording.seconds),
+        ("polycam", Some(vec![9.0, 10.5]))
+    );
+    assert_eq!(losses, [Loss::OffCentre(1), Loss::Epoch(9.0)]);
+    let (name, one, losses) = taken("a.json", files[1].1.as_bytes());
+    assert_eq!(
+        (name, one.poses, losses),
+        ("polycam", vec![*first], vec![Loss::Times])
+    );
+}
+
+/// 7-Scenes and ScanNet have a file for each frame; ScanNet has infinite numbers where it was lost.
+#[test]
+fn a_folder_of_matrices_is_a_recording() {
+    let [a, b] = ROWS.map(|rows| rows.join("\n"));
+    let lost = "-inf -inf -inf -inf\n".repeat(4);
+    let (name, recording, losses) = taken_together(&[
+        ("frame-000010.pose.txt", &b),
+        ("frame-000002.pose.txt", &a),
+        ("frame-000002.color.png", ""),
+    ]);
+    is_pair(&recording);
+    assert_eq!(
+        (name, recording.frames),
+        ("matrices", Some(vec![2.0, 10.0]))
+    );
+    assert_eq!(losses, [Loss::FieldOfView]);
+    let (name, recording, losses) =
+        taken_together(&[("10.txt", &b), ("9.txt", &lost), ("2.txt", &a)]);
+    is_pair(&recording);
+    assert_eq!(
+        (name, recording.frames),
+        ("matrices", Some(vec![2.0, 10.0]))
+    );
+    let told = losses[1].to_string();
+    assert_eq!(told, "a pose that is not finite is not taken, 1 of it");
+}

@@ -425,3 +425,45 @@ fn what_is_wrong_in_metadata_of_record3d_is_one_sentence_with_its_place() {
         refused("record3d", text, said);
     }
 }
+
+/// The file of a folder is named, too.
+#[test]
+fn what_is_wrong_in_a_file_of_a_folder_is_one_sentence_with_its_place() {
+    let folder = tempfile::tempdir().unwrap();
+    let mirror = include_str!("../../../../tests/corpus/formats/polycam/mirror.json");
+    let focal = include_str!("../../../../tests/corpus/formats/polycam/no_focal.json");
+    for (name, files, said) in [
+        (
+            "matrices",
+            [("0.txt", "1 0 0 0"), ("1.txt", "")],
+            "0.txt: line 1: the file ends too early",
+        ),
+        (
+            "polycam",
+            [("1.json", mirror), ("2.json", "")],
+            &format!("1.json: expected {TURNS}"),
+        ),
+        (
+            "polycam",
+            [("1.json", focal), ("2.json", "")],
+            "1.json: fx is not there",
+        ),
+        (
+            "polycam",
+            [("a.json", ""), ("0.txt", "")],
+            "there are no poses in this file",
+        ),
+    ] {
+        let place = folder.path().join(name);
+        let _ = std::fs::remove_dir_all(&place);
+        std::fs::create_dir(&place).unwrap();
+        for (file, text) in files {
+            std::fs::write(place.join(file), text).unwrap();
+        }
+        let source = Source::open(&place).unwrap();
+        let error = import(&source, by_name(name).ok(), &Options::default()).unwrap_err();
+        let place = place.display();
+        let between = if said.starts_with("there") { ": " } else { "/" };
+        assert_eq!(error.to_string(), format!("{place}{between}{said}"));
+    }
+}
