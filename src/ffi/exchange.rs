@@ -13,9 +13,9 @@ use crate::formats::{self, Format, Loss, Options, Report, Source};
 /// Writes a scene in another program's format. Each file is replaced atomically. A
 /// missing folder is created only for colmap, inside an existing one.
 ///
-/// format  gltf, glb, usda, blender, paraview, vtk, nerfstudio, transforms, cameras,
-///     tum, euroc, kitti, colmap (a folder), osg, chan, html, ascii, csv, json or vid;
-///     NULL: by the name of the file
+/// format  gltf, glb, usda, blender, paraview, vtk, nerfstudio, transforms, instant-ngp,
+///     cameras, supersplat, tum, euroc, kitti, matrices, open3d, colmap (a folder), osg,
+///     chan, html, ascii, csv, json or vid; NULL: by the name of the file
 /// options  lines of name=value ("fps=30\nnode=camera"); NULL: none. The names are
 ///     node, clip, frames, fps, times, start, size, up, scale, as, tolerance, angle, compact,
 ///     digits and rotation-order; `vides convert --help` explains them. The last of
@@ -50,13 +50,14 @@ pub unsafe extern "C" fn v_scene_export(
     })
 }
 
-/// Reads another program's file, or a COLMAP folder, as a scene. Poses become a path
+/// Reads another program's file, or a folder of files, as a scene. Poses become a path
 /// fitted with few points; with "as=keys", or fewer than three poses, a camera with one
 /// key each.
 ///
-/// format  gltf, glb, usda, nerfstudio, transforms, cameras, tum, euroc, kitti, colmap,
-///     osg, chan, paraview (as v_scene_export() writes it; no code is run), ascii, csv,
-///     json or vid; NULL: by the content
+/// format  gltf, glb, usda, nerfstudio, transforms, instant-ngp, cameras, supersplat, tum,
+///     euroc, kitti, matrices, open3d, record3d, polycam, colmap, osg, chan, paraview (as
+///     v_scene_export() writes it; no code is run), ascii, csv, json or vid; NULL: by the
+///     content
 /// options  as for v_scene_export()
 ///
 /// v_last_warning() lists parts of the file that are ignored, and how well a path fits,

@@ -24,7 +24,7 @@ pub(super) const DEFAULT_ZOOM: f64 = 24.0;
 pub(super) const DEFAULT_FPS: f64 = 25.0;
 
 /// Fewer poses in a second are not taken as frames.
-const SEEN_AS_MOTION: f64 = 12.0;
+pub(super) const SEEN_AS_MOTION: f64 = 12.0;
 
 /// What a file holds.
 #[derive(Debug)]

@@ -46,7 +46,9 @@ pub fn export(
     let mut report = Report::default();
     let mut flight = Flight::new(document, options, format, progress)?;
     if !format.is_folder() {
-        save_with(file, &mut |out| format.write(&mut flight, out, &mut report))?;
+        save_with(file, &mut |out| {
+            format.write(file, &mut flight, out, &mut report)
+        })?;
         return Ok(report);
     }
     // A file of the folder may stand for it.
@@ -102,7 +104,7 @@ pub fn export_to(
     }
     let mut report = Report::default();
     let mut flight = Flight::new(document, options, format, progress)?;
-    format.write(&mut flight, out, &mut report)?;
+    format.write(Path::new(""), &mut flight, out, &mut report)?;
     Ok(report)
 }
 
@@ -119,7 +121,7 @@ pub fn losses(document: &SceneDocument, format: &Format, options: &Options) -> R
             format.write_by(write, &mut flight, &mut io::sink(), &mut report)?;
         }
     } else {
-        format.write(&mut flight, &mut io::sink(), &mut report)?;
+        format.write(Path::new(""), &mut flight, &mut io::sink(), &mut report)?;
     }
     Ok(report)
 }
@@ -140,7 +142,7 @@ pub fn read(
             Some(format) => format,
             None => recognised(source)?,
         };
-        if source.is_folder && !format.is_folder() {
+        if source.is_folder && !format.is_folder() && !format.reads_folder {
             let directory = io::Error::other(vides_document::NotAFile::Directory);
             return Err(Error::Document(DocumentError::Io {
                 place: source.name.clone(),

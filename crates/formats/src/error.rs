@@ -8,7 +8,7 @@ use super::foreign::Foreign;
 use super::options::OPTIONS;
 
 /// The names of all formats, in the order in which they are offered, which errors tell.
-pub(super) const NAMES: [&str; 20] = [
+pub(super) const NAMES: [&str; 26] = [
     "vid",
     "ascii",
     "csv",
@@ -22,10 +22,16 @@ pub(super) const NAMES: [&str; 20] = [
     "html",
     "nerfstudio",
     "transforms",
+    "instant-ngp",
     "cameras",
+    "supersplat",
     "tum",
     "euroc",
     "kitti",
+    "matrices",
+    "open3d",
+    "record3d",
+    "polycam",
     "colmap",
     "osg",
     "chan",
@@ -134,14 +140,10 @@ pub enum Error {
         /// Its axis.
         up: &'static str,
     },
-<<<<<<< HEAD
     /// Poses at their own times, of another format or at a rate.
     #[error("times=own is for the formats tum, euroc, osg and kitti, without fps")]
     OwnTimes,
-    /// Progress was told to end.
-=======
     /// The progress callback ended it.
->>>>>>> 190570af2abb6fafe2812312e4a04f0b0847ab0e
     #[error("it was stopped")]
     Stopped,
     /// In a file.
@@ -299,6 +301,8 @@ pub enum Wanted {
     Value,
     Literal(&'static str),
     ImagePoints,
+    LastRow,
+    Matrices,
 }
 
 impl fmt::Display for Wanted {
@@ -312,6 +316,8 @@ impl fmt::Display for Wanted {
             Self::Object => "an object",
             Self::Numbers(count) => return write!(f, "{count} numbers"),
             Self::Matrix => "a matrix of 4 × 4 numbers",
+            Self::LastRow => "a matrix whose last row is 0 0 0 1",
+            Self::Matrices => "an array of N × 4 × 4 or N × 3 × 4 numbers",
             Self::ImagePoints => "the points of the image before, or an empty line",
             Self::Rotation => "a matrix that turns and does not mirror",
             Self::Name => "a name",

@@ -43,6 +43,8 @@ pub enum Way {
     NoCameras,
     /// By unpacking it.
     Unpack,
+    /// The metadata in the archive.
+    Metadata,
 }
 
 impl fmt::Display for Way {
@@ -51,6 +53,9 @@ impl fmt::Display for Way {
             Self::Gltf => "export glTF from the program that made it",
             Self::Poses => "export the poses, as TUM, CSV or transforms.json for example",
             Self::Metres => "write its poses in metres, as TUM for example",
+            Self::Metadata => {
+                "unpack its metadata, with \"unzip -p in.r3d metadata > metadata.json\""
+            }
             Self::Chan => "export the camera as .chan from Nuke",
             Self::Colmap(command) => {
                 return write!(f, "export the model as text with \"{command}\"");
@@ -159,7 +164,7 @@ static KINDS: [Foreign; 44] = [
     kind("OpenMVG", Way::Colmap("openMVG_main_openMVG2Colmap"), &[], &["\"sfm_data_version\""], &[]),
     kind("AliceVision", Way::Poses, &[], &["\"featuresFolders\""], &["sfm", "mg"]),
     kind("Metashape", Way::Transforms("ns-process-data metashape"), &[], &["<chunk ", "agisoft"], &["psx", "psz"]),
-    kind("Record3D", Way::Transforms("ns-process-data record3d"), &[], &["\"perFrameIntrinsicCoeffs\"", "\"initPose\""], &["r3d"]),
+    kind("Record3D", Way::Metadata, &[], &[], &["r3d"]),
     kind("ContextCapture", Way::Poses, &[], &["<BlocksExchange"], &[]),
     kind("Bundler", Way::Poses, &[b"# Bundle file"], &[], &[]),
     kind("VisualSFM", Way::Poses, &[b"NVM_V3"], &[], &["nvm"]),

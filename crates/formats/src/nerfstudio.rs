@@ -37,7 +37,9 @@ const MAX_TRANSFORMS: u64 = 1 << 20;
 fn recognises(source: &Source) -> bool {
     let text = source.beginning();
     let has = |key: &str| text.contains(key);
-    text.trim_start().starts_with('{') && (has("\"camera_path\"") || has("\"keyframes\""))
+    // SuperSplat has keyframes in its tracks.
+    let keys = has("\"keyframes\"") && !has("\"animTracks\"");
+    text.trim_start().starts_with('{') && (has("\"camera_path\"") || keys)
 }
 
 fn read(source: &Source, _: &Options, report: &mut Report) -> Result<Content> {

@@ -374,7 +374,7 @@ impl FileWindow {
             .extension()
             .and_then(|ending| ending.to_str());
         let known =
-            ending.filter(|ending| old.endings.iter().any(|of| ending.eq_ignore_ascii_case(of)));
+            ending.filter(|ending| old.all_endings().any(|of| ending.eq_ignore_ascii_case(of)));
         let cut = known.map_or(0, |ending| ending.len() + 1);
         let stem = &name[..name.len() - cut];
         self.name = match (new.endings, new.file_names) {

@@ -79,6 +79,7 @@ german! {
         Chan => "bitte die Kamera aus Nuke als .chan ausgeben";
         Colmap(command) => "bitte das Modell mit „{command}“ als Text ausgeben";
         Transforms(command) => "bitte mit „{command}“ eine transforms.json daraus machen";
+            Metadata => "bitte die Metadaten auspacken, mit „unzip -p in.r3d metadata > metadata.json“";
         Log => "bitte die Posen herausziehen, etwa mit „evo_traj“ als TUM";
         NoCameras => "sie haben Punkte und keine Kameras";
         Unpack => "bitte auspacken";
@@ -123,6 +124,8 @@ german! {
         Name => "Name";
         Value => "Wert";
         Literal(text) => "„{text}“";
+        LastRow => "Matrix, deren letzte Zeile 0 0 0 1 ist,";
+        Matrices => "Feld von N × 4 × 4 oder N × 3 × 4 Zahlen";
         ImagePoints => "Punkte des Bildes davor oder eine leere Zeile";
     }
     Loss {

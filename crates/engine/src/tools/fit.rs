@@ -221,7 +221,6 @@ pub fn fit(
     })
 }
 
-<<<<<<< HEAD
 /// The path of at most so many points, at least 2, that needs the least tolerance, to within a
 /// twentieth; and that tolerance. [`Options::tolerance`] has the ratio of length and angle.
 ///
@@ -264,10 +263,7 @@ pub fn fit_points(
     best.ok_or_else(|| OutOfRange::TooFewFittedPoints.into())
 }
 
-/// One point for so many poses is few enough.
-=======
 /// Poses per point from which on a path has few enough points.
->>>>>>> 190570af2abb6fafe2812312e4a04f0b0847ab0e
 const FEW: usize = 6;
 
 /// What is tried in turn until there are few enough points, with such a share of the tolerance: a

@@ -4,7 +4,6 @@
 
 mod binary;
 mod model;
-mod natural;
 mod search;
 mod text;
 mod write;

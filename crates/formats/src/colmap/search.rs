@@ -7,8 +7,8 @@ use std::path::{Path, PathBuf};
 use vides_document::{inside, read_bytes};
 use vides_engine::limits::MAX_FILE_BYTES;
 
-use super::natural;
 use crate::loss::Loss;
+use crate::natural;
 
 /// Where programs write models, the first place that has one counts; COLMAP numbers them below it.
 const PLACES: [&str; 3] = ["sparse", "colmap/sparse", "dense/sparse"];
