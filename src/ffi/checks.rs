@@ -83,6 +83,10 @@ fn finding(found: &Finding) -> Answer<V_FINDING> {
 /// The space is the smallest cube around the positions, enlarged by a tenth, with
 /// V_UP_Y.
 ///
+/// v_last_warning() then reports points, deviations and frame rate; if there are any,
+/// holds, gaps, cuts and outliers; and, where more than a third of the poses became
+/// points, a tolerance that needs at most half of them.
+///
 /// seconds  when each pose was taken, in order; NULL: one per frame. Of equal times the
 ///     first counts. Times beyond 1e11 count nanoseconds or microseconds, by their
 ///     median step
@@ -136,7 +140,7 @@ pub unsafe extern "C" fn v_path_fit_poses_in_space(
 
 /// Like v_path_fit_poses_in_space(), but ignores outliers: poses that differ by more
 /// than the tolerance from what their neighbours suggest. *left_out receives their
-/// number, and may be NULL; v_last_warning() returns it and the first one, or "".
+/// number, and may be NULL; the last line of v_last_warning() names it and the first one.
 /// V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_fit_poses_robust(
@@ -161,7 +165,6 @@ pub unsafe extern "C" fn v_path_fit_poses_robust(
         // SAFETY: so many poses and doubles, as the header says.
         let fitted = unsafe { fitted(poses, seconds, count, fps, &options) }?;
         let made = insert_new(fitted.path, fps)?;
-        clear_last_warning();
         let (first, count) = (fitted.left_out.first(), fitted.left_out.len());
         if let Some(first) = first {
             let are = if count == 1 { "pose is" } else { "poses are" };
@@ -209,7 +212,12 @@ unsafe fn fitted(
     let seconds = optional(seconds, |seconds| unsafe {
         slice(seconds, count, "seconds")
     })?;
-    watched(|go_on| Ok(fit(poses, seconds, fps, options, go_on)?))
+    clear_last_warning();
+    let fitted: Fitted = watched(|go_on| Ok(fit(poses, seconds, fps, options, go_on)?))?;
+    for line in fitted.report.to_string().lines() {
+        add_last_warning(format_args!("{line}"));
+    }
+    Ok(fitted)
 }
 
 /// Finds what will look wrong: jerks, flips, collisions. Writes one finding per kind

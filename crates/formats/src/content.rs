@@ -305,14 +305,6 @@ impl Recording {
         });
         Ok(Scene::of_path(made.path)?)
     }
-
-    /// Of the bounds of the positions.
-    fn diagonal(&self) -> f64 {
-        let positions = || self.poses.iter().map(Pose::position);
-        let low = positions().fold(DVec3::INFINITY, DVec3::min);
-        let high = positions().fold(DVec3::NEG_INFINITY, DVec3::max);
-        low.distance(high)
-    }
 }
 
 fn check(pose: &Pose) -> Result<(), vides_engine::Error> {

@@ -141,7 +141,7 @@ pub enum Error {
         up: &'static str,
     },
     /// Poses at their own times, of another format or at a rate.
-    #[error("times=own is for the formats tum, euroc, osg and kitti, without fps")]
+    #[error("times=own is for the formats tum, euroc, osg, kitti and matrices, without fps")]
     OwnTimes,
     /// The progress callback ended it.
     #[error("it was stopped")]

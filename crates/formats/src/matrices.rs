@@ -25,6 +25,7 @@ pub(super) static MATRICES: Format = Format {
     file_names: &["traj.txt"],
     recognises,
     read: Some(read),
+    own_times: true,
     reads_folder: true,
     write: Some(write),
     by_ending: &[("npy", npy::write)],

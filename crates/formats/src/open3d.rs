@@ -126,7 +126,7 @@ fn zoom(camera: At<'_>, lenses: &mut Lenses) -> Result<f64> {
 
 fn write(flight: &mut Flight<'_>, out: &mut dyn Write, report: &mut Report) -> Result<()> {
     report.add(Loss::Times);
-    let [width, height] = flight.options().size;
+    let [width, height] = flight.pixels();
     let [cx, cy] = flight.size().map(|side| 0.5 * side - PIXEL_CENTRE);
     let head = "{\n  \"class_name\": \"PinholeCameraTrajectory\",\n  \"version_major\": 1,\n  \
                 \"version_minor\": 0,\n  \"parameters\": [";

@@ -159,8 +159,8 @@ pub const OPTIONS: &[OptionRow] = &[
     OptionRow {
         name: "times",
         value: "WHEN",
-        help: "frames: a pose for each frame; own: at the keys of the camera, for tum, euroc, osg and \
-               kitti [default: own where a list becomes a list, without --fps and --frames]",
+        help: "frames: a pose for each frame; own: at the keys of the camera, for tum, euroc, osg, \
+               kitti and matrices [default: own where a list becomes a list, without --fps and --frames]",
         wanted: "frames or own",
         set: |options, text| {
             options.times = Some(match text {

@@ -15,7 +15,7 @@ use super::flight::Flight;
 use super::format::Format;
 use super::lens::Lenses;
 use super::loss::{Loss, Report};
-use super::options::Options;
+use super::options::{DEFAULT_SIZE, Options};
 use super::source::Source;
 use super::tree::{self, At};
 use super::{blocks, convention, rows};
@@ -59,7 +59,7 @@ fn read(source: &Source, options: &Options, report: &mut Report) -> Result<Conte
     let field = field.map_or(Ok(DEFAULT_FIELD), At::positive)?;
     let mut keys = Keys {
         rate: DEFAULT_RATE,
-        size: options.size.map(f64::from),
+        size: options.size.unwrap_or(DEFAULT_SIZE).map(f64::from),
         ..Keys::default()
     };
     match root.get("animTracks") {

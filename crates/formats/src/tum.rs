@@ -168,7 +168,8 @@ mod tests {
             }
         }
         assert_eq!(written(&options, "kitti").unwrap().lines().count(), 4);
-        let refused = "times=own is for the formats tum, euroc, osg and kitti, without fps";
+        let refused =
+            "times=own is for the formats tum, euroc, osg, kitti and matrices, without fps";
         assert_eq!(written(&options, "chan").unwrap_err(), refused);
         let fps = Options {
             fps: Some(10.0),

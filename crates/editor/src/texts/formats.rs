@@ -67,7 +67,7 @@ german! {
         NotWritten(name) => "das Format {name} wird gelesen, nicht geschrieben";
         Folder(name) => "das Format {name} ist ein Verzeichnis mit Dateien: bitte eines nennen";
         Whole(name) => "{name}: eine .vid-Datei hält ein ganzes Dokument, wie es ist";
-        OwnTimes => "times=own gibt es für die Formate tum, euroc, osg und kitti, ohne fps";
+        OwnTimes => "times=own gibt es für die Formate tum, euroc, osg, kitti und matrices, ohne fps";
         OtherUp { format, up } => "im Format {format} steht die Achse {up} senkrecht";
         Stopped => "es wurde angehalten";
         In(file, error) => "{file}: {}", German::<Error>(error);
