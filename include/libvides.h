@@ -2788,9 +2788,9 @@ int v_scene_vertices(const V_SCENE *scene,
  * Writes a scene in another program's format. Each file is replaced atomically. A
  * missing folder is created only for colmap, inside an existing one.
  *
- * format   gltf, glb, usda, blender, paraview, vtk, nerfstudio, transforms, cameras,
- *     tum, euroc, kitti, colmap (a folder), osg, chan, html, ascii, csv, json or vid; NULL:
- *     by the name of the file
+ * format   gltf, glb, usda, blender, paraview, vtk, nerfstudio, transforms,
+ *     instant-ngp, cameras, supersplat, tum, euroc, kitti, matrices, open3d, colmap (a
+ *     folder), osg, chan, html, ascii, csv, json or vid; NULL: by the name of the file
  * options  lines of name=value ("fps=30\nnode=camera"); NULL: none. The names are
  *     node, clip, frames, fps, start, size, up, scale, as, tolerance, angle, compact, digits
  *     and rotation-order; `vides convert --help` explains them. The last of duplicates
@@ -2810,13 +2810,14 @@ int v_scene_export(const V_SCENE *scene,
                    const char *options);
 
 /**
- * Reads another program's file, or a COLMAP folder, as a scene. Poses become a path
+ * Reads another program's file, or a folder of files, as a scene. Poses become a path
  * fitted with few points; with "as=keys", or fewer than three poses, they become a
  * camera with one key each. Free *scene with v_scene_free().
  *
- * format   gltf, glb, usda, nerfstudio, transforms, cameras, tum, euroc, kitti, colmap, osg,
- *     chan, paraview (as v_scene_export() writes it; no code is run), ascii, csv, json
- *     or vid; NULL: by the content
+ * format   gltf, glb, usda, nerfstudio, transforms, instant-ngp, cameras, supersplat,
+ *     tum, euroc, kitti, matrices, open3d, record3d, polycam, colmap, osg, chan,
+ *     paraview (as v_scene_export() writes it; no code is run), ascii, csv, json or vid;
+ *     NULL: by the content
  * options  as for v_scene_export()
  *
  * The call returns V_OK even if parts of the file are ignored. v_last_warning() lists

@@ -8,7 +8,9 @@ use vides::document::{self, Info};
 use vides::error::FromZero;
 use vides::formats::{self, As, Format, Holds, Options, Report, Source};
 use vides::path::Up;
-use vides::tools::fit::{Options as FitOptions, Tolerance};
+use vides::tools::fit::{
+    Deviation, Options as FitOptions, Report as FitResult, Tolerance, fit as fit_poses, fit_points,
+};
 
 use crate::arrays;
 use crate::document::{Document, upright};
@@ -143,9 +145,33 @@ pub(crate) fn recording<'py>(
     ))
 }
 
-/// Fits a path to poses; also returns the indices of the poses that were ignored.
+/// Points and poses; greatest and RMS deviation of position, view and field of view; noise; holds,
+/// gaps, cuts, repeated times; a better tolerance with its points; the text.
+type FitReport = (
+    [usize; 2],
+    [[f64; 2]; 3],
+    f64,
+    [usize; 4],
+    Option<(f64, usize)>,
+    String,
+);
+
+fn told(report: &FitResult) -> FitReport {
+    let pair = |off: Deviation| [off.greatest, off.rms];
+    (
+        [report.points, report.poses],
+        [report.position, report.view, report.lens].map(pair),
+        report.noise,
+        [report.holds, report.gaps, report.cuts, report.dropped],
+        report.better,
+        report.to_string(),
+    )
+}
+
+/// Fits a path to poses, of at most `points` points if that is given; also returns the indices of
+/// the poses that were ignored, and the report.
 #[pyfunction]
-#[pyo3(signature = (poses, seconds, fps, tolerance, angle, up, robust))]
+#[pyo3(signature = (poses, seconds, fps, tolerance, angle, up, robust, points))]
 #[expect(clippy::too_many_arguments)]
 pub(crate) fn fit(
     py: Python<'_>,
@@ -156,7 +182,8 @@ pub(crate) fn fit(
     angle: f64,
     up: &str,
     robust: bool,
-) -> PyResult<(Document, Vec<usize>)> {
+    points: Option<usize>,
+) -> PyResult<(Document, Vec<usize>, FitReport)> {
     let poses = arrays::poses(&poses)?;
     let seconds = seconds.as_ref().map(arrays::numbers);
     let up = upright(up)?;
@@ -169,12 +196,17 @@ pub(crate) fn fit(
                 angle,
             })
         };
-        let fitted = vides::tools::fit::fit(&poses, seconds.as_deref(), fps, &options, go_on)?;
+        let seconds = seconds.as_deref();
+        let fitted = match points {
+            Some(points) => fit_points(&poses, seconds, fps, &options, points, go_on)?.0,
+            None => fit_poses(&poses, seconds, fps, &options, go_on)?,
+        };
+        let report = told(&fitted.report);
         let info = Info {
             fps,
             ..Info::default()
         };
         let document = document::Document::from_parts(fitted.path, info)?;
-        Ok((document.into(), fitted.left_out))
+        Ok((document.into(), fitted.left_out, report))
     })
 }

@@ -13,7 +13,7 @@ pub(crate) fn formats() -> Vec<(&'static str, &'static str, Vec<&'static str>, b
         (
             format.name,
             format.title,
-            format.endings.to_vec(),
+            format.all_endings().collect(),
             format.reads(),
             format.writes(),
         )

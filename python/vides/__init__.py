@@ -24,7 +24,7 @@ from ._planned import Tour, progress, tour
 from ._points import Orientation, Orientations, Point, Points, Section
 from ._samples import Samples
 from ._scene import Keys, Motion, Node, Scene, State
-from ._told import SVG, Detour, Finding, Framed, Property, Rest, Retimed, Steadied, Tool, properties, tools
+from ._told import SVG, Detour, Finding, FitReport, Framed, Property, Rest, Retimed, Steadied, Tool, properties, tools
 from ._window import edit
 
 __version__ = "1.0.0"
@@ -34,6 +34,7 @@ __all__ = [
     "Detour",
     "Error",
     "Finding",
+    "FitReport",
     "Format",
     "Framed",
     "Keys",

@@ -18,7 +18,7 @@ from ._files import choices, path_of
 from ._planned import Planned
 from ._points import Points, Section, bare_keys, index_of
 from ._samples import Samples
-from ._told import SVG, Finding
+from ._told import SVG, Finding, FitReport
 
 Curve = Literal["tcb", "centripetal", "chordal", "cubic", "linear"]
 Axis = Literal["y", "z"]
@@ -69,11 +69,13 @@ class Path(Planned):
     True
     """
 
-    __slots__ = ("_native", "losses", "__weakref__")
+    __slots__ = ("_native", "fit_report", "losses", "__weakref__")
 
     _native: _vides.Document
     losses: tuple[str, ...]
     """What could not be imported from another program's file."""
+    fit_report: FitReport | None
+    """How well the path follows the poses of :meth:`fit`; ``None`` for other paths."""
 
     def __init__(
         self,
@@ -111,6 +113,7 @@ class Path(Planned):
     def _set(self, native: _vides.Document, losses: Sequence[str] = ()) -> None:
         object.__setattr__(self, "_native", native)
         object.__setattr__(self, "losses", tuple(losses))
+        object.__setattr__(self, "fit_report", None)
 
     @classmethod
     def _of(cls, native: _vides.Document, losses: Sequence[str] = ()) -> Path:
@@ -478,13 +481,16 @@ class Path(Planned):
         angle: float = 0.5,
         up: Axis | None = None,
         robust: bool = False,
+        points: int | None = None,
     ) -> Path:
         """Fits a path of few points to recorded poses.
 
         ``poses`` are samples or an array (n, 10). ``seconds`` (n,) increase; the default is those of
         the samples. The path stays within ``tolerance`` of the positions (a length; by default
         1/1000 of the diagonal of their bounds), and within ``angle`` degrees of view, up and field
-        of view. ``robust`` ignores outliers. ``up`` is the up axis of the world; the default is that
+        of view. ``robust`` ignores outliers. With ``points``, the path has at most so many, within the
+        least multiple of ``tolerance`` and ``angle`` that allows it. :attr:`fit_report` tells how
+        well it follows. ``up`` is the up axis of the world; the default is that
         of the samples, or ``"y"``.
 
         >>> path = Path()
@@ -494,6 +500,8 @@ class Path(Planned):
         >>> fitted = Path.fit(recorded, tolerance=0.001)
         >>> bool(abs(fitted.sample().positions - recorded.positions).max() < 0.0011)
         True
+        >>> Path.fit(recorded, points=4).fit_report.points
+        4
         """
         if isinstance(poses, Samples):
             array = doubles(poses.array, (None, 10), "poses")
@@ -511,9 +519,19 @@ class Path(Planned):
         rate = 25.0 if fps is None else number(fps, "fps")
         upright = (known or "y") if up is None else axis(up)
         near, turned = number(tolerance, "tolerance"), number(angle, "angle")
-        native, left_out = _vides.fit(array, times, rate, near, turned, upright, bool(robust))
-        losses = [f"pose {at} is left out" for at in left_out]
-        return cls._of(native, losses)
+        most = None if points is None else count(points, "points")
+        native, left_out, told = _vides.fit(
+            array, times, rate, near, turned, upright, bool(robust), most
+        )
+        path = cls._of(native, [f"pose {at} is left out" for at in left_out])
+        (made, given), (position, view, field), noise, found, better, text = told
+        holds, gaps, cuts, repeated = found
+        report = FitReport(
+            made, given, position, view, field, noise, holds, gaps, cuts, repeated,
+            tuple(left_out), better, text,
+        )  # fmt: skip
+        object.__setattr__(path, "fit_report", report)
+        return path
 
     # ---- The object ---------------------------------------------------------------------
 

@@ -31,6 +31,38 @@ class Finding(NamedTuple):
     """What helps."""
 
 
+class FitReport(NamedTuple):
+    """How well a fitted path follows its poses, and what was found in them."""
+
+    points: int
+    """Points of the path."""
+    poses: int
+    """Poses of the recording."""
+    position: tuple[float, float]
+    """Greatest and RMS distance of the positions."""
+    view: tuple[float, float]
+    """Greatest and RMS angle of view and up, in degrees."""
+    field_of_view: tuple[float, float]
+    """Greatest and RMS deviation of the vertical field of view, in degrees."""
+    noise: float
+    """Estimated standard deviation of a coordinate's noise."""
+    holds: int
+    """Points at which the camera rests."""
+    gaps: int
+    """Times between poses that are more than five times as long as usual."""
+    cuts: int
+    """Poses at which the camera is suddenly elsewhere."""
+    repeated: int
+    """Poses at the time of the one before, which were dropped."""
+    outliers: tuple[int, ...]
+    """Indices of the poses that ``robust`` left out."""
+    better: tuple[float, int] | None
+    """Where more than a third of the poses became points: a tolerance that needs at most half as
+    many, and how many."""
+    text: str
+    """The report in sentences."""
+
+
 class Tool(NamedTuple):
     """A tool of :meth:`Path.tool`."""
 

@@ -41,7 +41,19 @@ def fit(
     angle: float,
     up: str,
     robust: bool,
-) -> tuple[Document, list[int]]: ...
+    points: int | None,
+) -> tuple[
+    Document,
+    list[int],
+    tuple[
+        tuple[int, int],
+        tuple[tuple[float, float], ...],
+        float,
+        tuple[int, int, int, int],
+        tuple[float, int] | None,
+        str,
+    ],
+]: ...
 def formats() -> list[tuple[str, str, list[str], bool, bool]]: ...
 def keys() -> list[tuple[str, str, str, str, str, tuple[float, float] | None, str]]: ...
 def options() -> list[tuple[str, str, str]]: ...

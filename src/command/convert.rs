@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Arg, ArgMatches, Args, Command, FromArgMatches};
-use vides::formats::{self, As, Format, Holds, OPTIONS, Options, Report};
+use vides::formats::{self, As, Format, Holds, Loss, OPTIONS, Options, Times};
 
 use super::failure::{Failure, complain, one_line};
 use super::output::is_standard_output;
@@ -110,25 +110,39 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if to.holds != Holds::Scene {
         options.as_ = options.as_.or(Some(As::Keys));
     }
-    let options = &options;
     let source = input::source(file)?;
-    let imported = formats::import(&source, from, options)?;
+    let imported = formats::import(&source, from, &options)?;
     let name = &source.name;
     input::warn(name, imported.document.warnings());
-    tell(name, &imported.report);
-    let report = write_out(&imported.document, name, out, to, options)?;
+    // A list becomes a list with its own times.
+    let keeps = to.own_times && options.fps.is_none() && options.frames.is_none();
+    if let Some(start) = imported.start.filter(|_| keeps) {
+        options.times = options.times.or(Some(Times::Own));
+        options.start = options.start.or(Some(start));
+    }
+    let restored =
+        |loss: &&Loss| matches!(loss, Loss::Epoch(first) if options.start == Some(*first));
+    tell(
+        name,
+        imported
+            .report
+            .losses()
+            .iter()
+            .filter(|loss| !restored(loss)),
+    );
+    let report = write_out(&imported.document, name, out, to, &options)?;
     let out = if to_standard_output {
         "standard output".to_owned()
     } else {
         out.display().to_string()
     };
-    tell(&out, &report);
+    tell(&out, report.losses());
     Ok(())
 }
 
 /// Says what is lost.
-fn tell(name: &str, report: &Report) {
-    for loss in report.losses() {
+fn tell<'a>(name: &str, losses: impl IntoIterator<Item = &'a Loss>) {
+    for loss in losses {
         complain(&one_line(&format!("{name}: {loss}")));
     }
 }

@@ -6,7 +6,7 @@ use clap::Args;
 use vides::document::{Document, Info};
 use vides::formats::{self, Recording, Report};
 use vides::path::{Space, Up};
-use vides::tools::fit::{Options, Tolerance, fit};
+use vides::tools::fit::{Options, Tolerance, fit, fit_points};
 
 use super::failure::{Failure, complain, one_line};
 use super::input;
@@ -21,12 +21,17 @@ pub(super) struct Arguments {
     /// - is standard input
     #[arg(value_name = "POSES")]
     file: PathBuf,
-    /// Maximum distance of a position from its pose
-    #[arg(long, value_name = "LENGTH", default_value_t = 0.01)]
-    tolerance: f64,
-    /// Maximum deviation of view, up and field of view, in degrees
-    #[arg(long, value_name = "DEGREES", default_value_t = 0.5)]
-    angle: f64,
+    /// Maximum distance of a position from its pose [default: 1/1000 of the diagonal of the
+    /// bounds of the positions]
+    #[arg(long, value_name = "LENGTH")]
+    tolerance: Option<f64>,
+    /// Maximum deviation of view, up and field of view, in degrees [default: 0.5]
+    #[arg(long, value_name = "DEGREES")]
+    angle: Option<f64>,
+    /// At most so many points, with the least tolerance that leads to them, in the ratio of
+    /// --tolerance to --angle
+    #[arg(long, value_name = "NUMBER")]
+    points: Option<usize>,
     /// Frames per second [default: the file's, else its poses per second, else 25]
     #[arg(long, value_name = "NUMBER")]
     fps: Option<f64>,
@@ -123,10 +128,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     } = recording;
     let by_frames = |frames: &Vec<f64>| frames.iter().map(|frame| frame / fps).collect();
     let times: Option<Vec<f64>> = frames.as_ref().map(by_frames).or_else(|| seconds.clone());
+    let usual = Tolerance::usual(&poses);
     let options = Options {
         tolerance: Tolerance {
-            position: arguments.tolerance,
-            angle: arguments.angle,
+            position: arguments.tolerance.unwrap_or(usual.position),
+            angle: arguments.angle.unwrap_or(usual.angle),
         },
         space: arguments.space.map(|space| Space {
             up: arguments.up,
@@ -135,14 +141,13 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         up: arguments.up,
         robust: arguments.robust,
     };
-    let fitted = fit(
-        &poses,
-        times.as_deref(),
-        fps,
-        &options,
-        &mut progress("poses"),
-    )
-    .map_err(|error| vides::Error::from(error).at(name.clone()))?;
+    let times = times.as_deref();
+    let go_on = &mut progress("poses");
+    let fitted = match arguments.points {
+        Some(points) => fit_points(&poses, times, fps, &options, points, go_on).map(|made| made.0),
+        None => fit(&poses, times, fps, &options, go_on),
+    };
+    let fitted = fitted.map_err(|error| vides::Error::from(error).at(name.clone()))?;
     if let (Some(frames), Some(seconds)) = (&frames, &seconds) {
         compare(&name, frames, seconds, fps);
     }
@@ -153,6 +158,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         object: object.unwrap_or_default(),
         ..Info::default()
     };
+    for line in fitted.report.to_string().lines() {
+        complain(&format!("{name}: {line}"));
+    }
     if arguments.robust {
         complain(&told(&fitted.left_out, poses.len(), frames.as_deref()));
     }

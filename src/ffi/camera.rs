@@ -31,8 +31,8 @@ pub const V_AXES_VIDES: c_int = 3;
 /// V_CLIP_OPENGL    y up, depth from -1 (near) to 1 (far)
 /// V_CLIP_D3D       y up, depth from 0 to 1: Direct3D, Metal, WebGPU
 /// V_CLIP_VULKAN    y down, depth from 0 to 1
-/// V_CLIP_REVERSED  added to one of these: swaps near and far, which keeps a float
-///                  depth precise far away (with depth from 0)
+/// V_CLIP_REVERSED  added to one of these: swaps near and far, so that a float depth from
+///                  0 is precise far away
 pub const V_CLIP_OPENGL: c_int = 0;
 pub const V_CLIP_D3D: c_int = 1;
 pub const V_CLIP_VULKAN: c_int = 2;
@@ -118,14 +118,13 @@ fn clip(number: c_int) -> Answer<Clip> {
     })
 }
 
-/// Gets the matrix of a camera, for programs whose camera axes differ from OpenGL's: 16
-/// numbers, column by column, for column vectors.
+/// Gets the matrix of a camera: 16 numbers, column by column, for column vectors.
 ///
 /// convention  the camera's axes, V_AXES_...
-/// to_world    0: world to camera (the view matrix), with V_AXES_OPENGL equal to that
-///     of v_pose_gl_matrix(), bit for bit. Otherwise camera to world: the columns are
-///     the axes and vrp
-/// V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE.
+/// to_world  0: world to camera (the view matrix), with V_AXES_OPENGL that of
+///     v_pose_gl_matrix(), bit for bit. Otherwise camera to world: the columns are the
+///     axes and vrp
+/// V_ERR_ARGUMENT, V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[m; 16]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_pose_matrix(
@@ -156,14 +155,11 @@ pub unsafe extern "C" fn v_pose_matrix(
 /// V_AXES_OPENGL and to_world 0. A scale common to all axes is removed, and the axes
 /// are made perpendicular.
 ///
-/// m           16 numbers, column by column, for column vectors; the last row is 0, 0,
-///     0, 1
-/// convention  the camera's axes, V_AXES_...
-/// to_world    0: m is world to camera (the view matrix); otherwise camera to world
-/// zoom        zoom of the pose, finite and > 0, which a matrix does not have; from a
-///     vertical angle: v_zoom_from_fov(angle, 24)
-/// V_ERR_NULL, V_ERR_ARGUMENT (a matrix that mirrors, shears, projects or is not
-/// finite; zoom), V_ERR_RANGE (convention).
+/// m  its last row is 0, 0, 0, 1
+/// zoom  zoom of the pose, finite and > 0; from a vertical angle:
+///     v_zoom_from_fov(angle, 24)
+/// V_ERR_ARGUMENT (a matrix that mirrors, shears, projects or is not finite),
+/// V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[m; 16]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_pose_from_matrix(
@@ -185,22 +181,20 @@ pub unsafe extern "C" fn v_pose_from_matrix(
     })
 }
 
-/// Gets the orientation of a camera as three angles. At angles 0, 0, 0 the camera's
-/// axes (those of convention) lie along the world's. The camera is then turned about
-/// the fixed axes of the world, in the order of the letters: with V_ORDER_XYZ about x,
-/// then y, then z, so that the rotation is Rz Ry Rx for column vectors. (This equals
-/// turns about the camera's own axes in the reverse order: z, y, x.) Positive angles
-/// are counter-clockwise, seen against the axis.
+/// Gets the orientation of a camera as three angles. At 0, 0, 0 the camera's axes lie
+/// along the world's. The camera is then turned about the fixed axes of the world, in
+/// the order of the letters: with V_ORDER_XYZ about x, then y, then z, so that the
+/// rotation is Rz Ry Rx for column vectors. (This equals turns about the camera's own
+/// axes in the reverse order.) Positive angles are counter-clockwise, seen against the
+/// axis. With V_AXES_VIDES and V_ORDER_ZXY they are pitch (positive looks down), yaw
+/// and roll in a world with y up.
 ///
-/// With V_AXES_VIDES and V_ORDER_ZXY the angles are pitch (positive looks down), yaw
-/// and roll of a camera in a world with y up.
-///
-/// convention  the camera's axes, V_AXES_...; Blender and glTF use V_AXES_OPENGL
-/// order       V_ORDER_...
-/// angles      degrees about x, y and z, listed so for any order. The second turn is
-///     within -90 to 90, the others within -180 to 180. If it is 90 or -90, the other
-///     two turn about the same axis and share its angle
-/// V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE (convention, order).
+/// convention  V_AXES_...; Blender and glTF use V_AXES_OPENGL
+/// order  V_ORDER_...
+/// angles  degrees about x, y and z, listed so for any order. The second turn is within
+///     -90 to 90, the others within -180 to 180. If it is 90 or -90, the others turn
+///     about the same axis and share its angle
+/// V_ERR_ARGUMENT, V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[angles; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_pose_to_euler(
@@ -221,13 +215,9 @@ pub unsafe extern "C" fn v_pose_to_euler(
     })
 }
 
-/// Gets the pose of a camera at a position, turned by three angles: the inverse of
-/// v_pose_to_euler(), which explains them. Any finite angles are valid.
-///
-/// vrp     position of the camera
-/// angles  degrees about x, y and z
-/// zoom    zoom of the pose, finite and > 0
-/// V_ERR_NULL, V_ERR_ARGUMENT (not finite; zoom), V_ERR_RANGE (convention, order).
+/// Gets the pose of a camera at position vrp, turned by three angles: the inverse of
+/// v_pose_to_euler(). Any finite angles are valid; zoom is finite and > 0.
+/// V_ERR_ARGUMENT, V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[vrp; 3], [angles; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_pose_from_euler(
@@ -263,16 +253,16 @@ pub unsafe extern "C" fn v_pose_from_euler(
     })
 }
 
-/// Gets the projection matrix of a camera, to be applied after the view matrix of
-/// v_pose_gl_matrix(), which looks along -z whatever the convention: 16 numbers, column
-/// by column, for column vectors (row by row for row vectors, as Direct3D uses them).
-/// Only the zoom of the pose is used: the vertical field of view is 2 atan (12 / zoom).
+/// Gets the projection matrix of a camera, for its zoom, to be applied after the view
+/// matrix of v_pose_gl_matrix(), which looks along -z whatever the convention: 16
+/// numbers, column by column, for column vectors (row by row for row vectors, as
+/// Direct3D uses them).
 ///
-/// aspect      width of the picture divided by its height
+/// aspect  width of the picture divided by its height
 /// near_plane  distance of the front plane, > 0
-/// far_plane   distance of the back plane, > near_plane; INFINITY: no back plane
+/// far_plane  distance of the back plane, > near_plane; INFINITY: no back plane
 /// convention  V_CLIP_..., optionally | V_CLIP_REVERSED
-/// V_ERR_NULL, V_ERR_RANGE.
+/// V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[m; 16]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_pose_projection(

@@ -21,15 +21,15 @@ use crate::tools::fit::{Fitted, Options, Tolerance, fit};
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct v_finding {
-    /// its kind, see v_path_check(); the text is the library's and stays
+    /// see v_path_check(); the text is constant
     pub kind: *const c_char,
-    /// poses counted from 1, where it begins
+    /// where it begins
     pub first_frame: f64,
     /// and where it ends
     pub last_frame: f64,
-    /// the support point at which the section begins
+    /// the point at which the section begins
     pub point: c_int,
-    /// the orientation of that point with which it begins
+    /// the orientation with which it begins
     pub orientation: c_int,
     /// the worst value
     pub value: f64,
@@ -77,20 +77,24 @@ fn finding(found: &Finding) -> Answer<V_FINDING> {
 
 /// ==== Paths from recorded poses, checks ====
 ///
-/// Fits a path of few points to recorded poses: each position within tolerance, each view,
-/// up and field of view within angle degrees, at its time. Noise below that is removed.
-/// Poses that jerk between whole frames may be missed, since points are at whole frames.
+/// Fits a path of few points to recorded poses: each position within tolerance, each
+/// view, up and field of view within angle degrees, at its time. Noise below that is
+/// removed. Poses that jerk between whole frames, where no points are, may be missed.
+/// The space is the smallest cube around the positions, enlarged by a tenth, with
+/// V_UP_Y.
 ///
-/// seconds  when each pose was taken, in order; NULL: one per frame. Of equal times the first
-///     counts. Times beyond 1e11 count nanoseconds or microseconds, by their median step. If
-///     they span more than 100,000,000 frames, the call fails with V_ERR_LIMIT
-/// count    at least two
-/// fps      frame rate of the path
-/// The space is the smallest cube around the positions, enlarged by a tenth, with V_UP_Y.
-/// Free *path with v_path_free().
-/// V_ERR_NULL, V_ERR_ARGUMENT (times that run backwards, a number that is not
-/// finite, a view without direction), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY,
-/// V_ERR_REFUSED (v_set_progress()).
+/// v_last_warning() then reports points, deviations and frame rate; if there are any,
+/// holds, gaps, cuts and outliers; and, where more than a third of the poses became
+/// points, a tolerance that needs at most half of them.
+///
+/// seconds  when each pose was taken, in order; NULL: one per frame. Of equal times the
+///     first counts. Times beyond 1e11 count nanoseconds or microseconds, by their
+///     median step
+/// count  at least two
+/// fps  frame rate of the path
+/// V_ERR_ARGUMENT (times that run backwards, a view without direction), V_ERR_RANGE,
+/// V_ERR_LIMIT (times that span more than 100,000,000 frames), V_ERR_MEMORY,
+/// V_ERR_REFUSED.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_fit_poses(
     poses: *const V_POSE,
@@ -108,11 +112,9 @@ pub unsafe extern "C" fn v_path_fit_poses(
 
 /// Like v_path_fit_poses(), in a space whose up axis applies to rolls and ups.
 ///
-/// space   see v_space_init(). With half_size 0 only its up axis counts, and the space is
-///     the smallest cube around the positions, as with NULL
-/// Free *path with v_path_free().
-/// V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY,
-/// V_ERR_REFUSED (v_set_progress()).
+/// space  with half_size 0 only its up axis counts, and it is the smallest cube around
+///     the positions, as with NULL
+/// V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_fit_poses_in_space(
     poses: *const V_POSE,
@@ -136,14 +138,10 @@ pub unsafe extern "C" fn v_path_fit_poses_in_space(
     })
 }
 
-/// Like v_path_fit_poses_in_space(), but ignores outliers: poses that differ by more than
-/// the tolerance from what their neighbours suggest.
-///
-/// left_out  the number of outliers; may be NULL
-/// v_last_warning() then returns their number and the first one, or "".
-/// Free *path with v_path_free().
-/// V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY,
-/// V_ERR_REFUSED (v_set_progress()).
+/// Like v_path_fit_poses_in_space(), but ignores outliers: poses that differ by more
+/// than the tolerance from what their neighbours suggest. *left_out receives their
+/// number, and may be NULL; the last line of v_last_warning() names it and the first one.
+/// V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_fit_poses_robust(
     poses: *const V_POSE,
@@ -167,7 +165,6 @@ pub unsafe extern "C" fn v_path_fit_poses_robust(
         // SAFETY: so many poses and doubles, as the header says.
         let fitted = unsafe { fitted(poses, seconds, count, fps, &options) }?;
         let made = insert_new(fitted.path, fps)?;
-        clear_last_warning();
         let (first, count) = (fitted.left_out.first(), fitted.left_out.len());
         if let Some(first) = first {
             let are = if count == 1 { "pose is" } else { "poses are" };
@@ -215,12 +212,17 @@ unsafe fn fitted(
     let seconds = optional(seconds, |seconds| unsafe {
         slice(seconds, count, "seconds")
     })?;
-    watched(|go_on| Ok(fit(poses, seconds, fps, options, go_on)?))
+    clear_last_warning();
+    let fitted: Fitted = watched(|go_on| Ok(fit(poses, seconds, fps, options, go_on)?))?;
+    for line in fitted.report.to_string().lines() {
+        add_last_warning(format_args!("{line}"));
+    }
+    Ok(fitted)
 }
 
-/// Finds what will look wrong in the film: jerks, flips, collisions. Reports one finding
-/// per kind and run of frames, in the order of the frames. Lengths are in units of the
-/// space's half_size. In parentheses: the default limits.
+/// Finds what will look wrong: jerks, flips, collisions. Writes one finding per kind
+/// and run of frames to your array, in their order. Lengths are in units of the space's
+/// half_size. In parentheses: the default limits.
 ///
 /// "space"         the camera is outside the space by more than the limit (0)
 /// "cusp"          curve or speed nearly stop in a section (0.02 of the mean)
@@ -246,22 +248,19 @@ unsafe fn fitted(
 ///                 of the target (or the middle of the space), would cross it; below the
 ///                 limit (off)
 /// "backwards"     the curve runs backwards between points that lead forwards (0.001);
-///                 a "centripetal" curve does not, see v_path_set_curve()
+///                 a "centripetal" curve does not
 ///
-/// A hold between sections without an ease, and a turn on the spot between such sections,
-/// begin and end abruptly. That is a "speed-jump", an "acceleration" or a
-/// "turning-acceleration" only if the limit of that kind is not the default.
-/// The distance to the object is computed three times per frame, as by v_path_avoid().
+/// A hold between sections without an ease, and a turn on the spot between such
+/// sections, begin and end abruptly: a "speed-jump", an "acceleration" or a
+/// "turning-acceleration" only if that limit is not the default. The distance to the
+/// object is computed three times per frame, as by v_path_avoid().
 ///
-/// object  the obstacle, in the coordinates of the path; NULL: the path's own object with
-///     its faces, if it has one
-/// findings  space for capacity findings; *count is their number. If capacity is too
-///     small, only *count is written and the call fails with V_ERR_SIZE; with findings NULL
-///     and capacity 0, only *count is written
-/// v_last_warning() then returns notes: that the camera is inside the object all the time,
-/// and what was ignored (moving objects, the motion of the camera's parent); or "".
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT (an object without geometry),
-/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
+/// object  the obstacle, in the coordinates of the path; NULL: the path's own, with its
+///     faces, if it has one
+/// v_last_warning() returns notes, or "": that the camera is always inside the object,
+/// and what was ignored (moving objects, the motion of the camera's parent).
+/// V_ERR_SIZE, V_ERR_ARGUMENT (an object without geometry), V_ERR_RANGE, V_ERR_LIMIT,
+/// V_ERR_MEMORY, V_ERR_REFUSED.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_check(
     path: *const V_PATH,
@@ -296,9 +295,9 @@ pub unsafe extern "C" fn v_path_check(
     })
 }
 
-/// Sets the limit of a kind of finding, see v_path_check(). The file keeps it. INFINITY
+/// Sets the limit of a kind of finding (v_path_check()), which is saved; INFINITY
 /// disables the kind.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no such kind), V_ERR_RANGE.
+/// V_ERR_ARGUMENT (no such kind), V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_limit(
     path: *mut V_PATH,
@@ -316,8 +315,8 @@ pub unsafe extern "C" fn v_path_set_limit(
     })
 }
 
-/// Gets the limit of a kind of finding, see v_path_check(); INFINITY: disabled.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT.
+/// Gets the limit of a kind of finding; INFINITY: disabled.
+/// V_ERR_ARGUMENT (no such kind).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_limit(
     path: *const V_PATH,

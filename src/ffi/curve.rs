@@ -46,8 +46,8 @@ pub(super) fn between(value: f64, end: f64, name: &'static str) -> Answer<f64> {
 
 /// ==== The curve ====
 ///
-/// Gets the length of the whole curve, in the units of the positions.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_MEMORY.
+/// Gets the length of the whole curve.
+/// V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_length(path: *const V_PATH, length: *mut f64) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -60,7 +60,7 @@ pub unsafe extern "C" fn v_path_length(path: *const V_PATH, length: *mut f64) ->
 
 /// Gets the length of a segment. Segment n leads from point n to the next; a closed
 /// path has one more, from the last point to the first.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
+/// V_ERR_RANGE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_segment_length(
     path: *const V_PATH,
@@ -78,9 +78,8 @@ pub unsafe extern "C" fn v_path_segment_length(
     })
 }
 
-/// Gets the position on a segment at t from 0 to 1, the parameter of the spline (not of
-/// its length).
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
+/// Gets the position on a segment at the spline's parameter t, 0 to 1.
+/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
 /// cbindgen:ptrs-as-arrays=[[xyz; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_curve_point(
@@ -98,9 +97,9 @@ pub unsafe extern "C" fn v_path_curve_point(
     })
 }
 
-/// Gets the position on a segment at the distance s from its start, measured along the
-/// curve, from 0 to the length of the segment.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
+/// Gets the position on a segment at the distance s along the curve, from 0 to the
+/// segment's length.
+/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
 /// cbindgen:ptrs-as-arrays=[[xyz; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_point_at_length(

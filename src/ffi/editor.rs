@@ -83,10 +83,7 @@ pub(super) fn opened(editor: *const V_EDITOR) -> Answer<TryArc<Opened>> {
 
 /// ==== Opening and closing windows ====
 ///
-/// Fills in the default options: size, space_up V_UP_Y, and everything else NULL or 0.
-/// NULL only sets v_last_error(). In C, a macro of this name passes the struct's size
-/// to v_editor_options_init_sized(). The function itself, for other languages (ctypes,
-/// JNI, bindgen), fills in the whole struct of version 1.0.
+/// Fills in the default options: space_up V_UP_Y, everything else NULL or 0.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_options_init(options: *mut V_EDITOR_OPTIONS) {
     border((), || {
@@ -102,10 +99,9 @@ pub unsafe extern "C" fn v_editor_options_init(options: *mut V_EDITOR_OPTIONS) {
     });
 }
 
-/// Like v_editor_options_init(), for a struct of size bytes. Sets size to what was
-/// filled in and leaves bytes after the fields that the library knows unchanged. A
-/// struct shorter than in version 1.0 is left unchanged, and v_last_error() returns the
-/// reason.
+/// Like v_editor_options_init(), for a struct of size bytes; size becomes what was
+/// filled in. Bytes after the fields that the library knows are unchanged. A struct
+/// shorter than in version 1.0 is unchanged, and v_last_error() returns the reason.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_options_init_sized(options: *mut V_EDITOR_OPTIONS, size: usize) {
     border((), || {
@@ -153,17 +149,14 @@ unsafe impl Growing for V_EDITOR_OPTIONS {
 }
 
 /// Opens an editor window and returns at once; see v_fd() for how your program serves
-/// it. options may be NULL for the defaults. Free *editor with v_editor_close().
+/// it. options NULL: the defaults. Call it from the thread that runs the event loop.
 ///
-/// The callbacks run on the thread that opened the window, in your event loop, and may
-/// call any function of the library. They may run while your program shows a modal
-/// dialog, since the dialog's loop serves the window too. They must return to their
-/// caller: no longjmp() and no exception may leave them. An exception that does ends
-/// the program, after a line on standard error that names the callback. When the thread
-/// ends, its window is closed, and a line on standard error reports it.
-/// The thread that runs the event loop; from callbacks too. V_ERR_NULL, V_ERR_SIZE,
-/// V_ERR_HANDLE (of path), V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_IO and V_ERR_FORMAT (of
-/// file), V_ERR_DISPLAY, V_ERR_LIMIT, V_ERR_MEMORY.
+/// The callbacks run there, also while your program shows a modal dialog, whose loop
+/// serves the window too. No longjmp() and no exception may leave them; an exception
+/// that does ends the program, after a line on standard error that names the callback.
+/// When the thread ends, its window is closed, with a line on standard error.
+/// V_ERR_SIZE, V_ERR_HANDLE (of path), V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_IO and
+/// V_ERR_FORMAT (of file), V_ERR_DISPLAY, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_open(
     options: *const V_EDITOR_OPTIONS,
@@ -385,12 +378,10 @@ fn open(editor: Beginning, host: Callbacks) -> Answer<*mut V_EDITOR> {
     handle
 }
 
-/// Closes a window without asking, and frees its handle. Inside the window's own
-/// callbacks it closes when they have returned. on_gone is not called. Work that
-/// v_editor_is_modified() reports is offered at the next start of the program, unless
-/// you called v_editor_mark_saved() before. NULL is ignored.
-/// The thread that opened it, or any once the window is gone; from callbacks too.
-/// V_ERR_HANDLE.
+/// Closes a window without asking, and frees its handle: on the thread that opened it,
+/// or on any once the window is gone. Inside the window's own callbacks it closes when
+/// they have returned. on_gone is not called. Work that v_editor_is_modified() reports
+/// is offered at the next start of the program. NULL is ignored.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_close(editor: *mut V_EDITOR) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -413,10 +404,8 @@ pub unsafe extern "C" fn v_editor_close(editor: *mut V_EDITOR) -> c_int {
     })
 }
 
-/// Gets a copy of the path in a window; in a scene, that of the camera shown
-/// (v_scene_get_camera()). Free *path with v_path_free().
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no camera, or it follows no
-/// path), V_ERR_MEMORY, V_ERR_LIMIT.
+/// Gets a copy of the path in a window; in a scene, that of the camera shown.
+/// V_ERR_ARGUMENT (no camera, or it follows no path), V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_get_path(
     editor: *const V_EDITOR,
@@ -432,13 +421,12 @@ pub unsafe extern "C" fn v_editor_get_path(
     })
 }
 
-/// Replaces the path in a window, in one step that the user can undo. The path is
-/// copied with its space, title, comment and so on, and with its object if it has one.
-/// Base speeds given when the window was opened are kept. In a scene it replaces the
-/// path of the camera shown, which is then edited. The playhead stays at its frame if
-/// the path has that frame; otherwise it goes to the current point.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no camera, or it follows no
-/// path), V_ERR_MEMORY.
+/// Replaces the path in a window, in one step that the user can undo, with its space,
+/// title, comment and so on, and its object if it has one. Base speeds given when the
+/// window was opened are kept. In a scene it replaces the path of the camera shown,
+/// which is then edited. The playhead stays at its frame, or goes to the current point
+/// if the path has no such frame.
+/// V_ERR_ARGUMENT (no camera, or it follows no path), V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_set_path(editor: *mut V_EDITOR, path: *const V_PATH) -> c_int {
     border(V_ERR_INTERNAL, || {

@@ -14,8 +14,8 @@ use crate::error::Result;
 use crate::instance;
 
 /// Gets a copy of the scene in a window; if the window has only a path, a scene with a
-/// camera on it. Free *scene with v_scene_free().
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_MEMORY, V_ERR_LIMIT.
+/// camera on it.
+/// V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_get_scene(
     editor: *const V_EDITOR,
@@ -31,18 +31,17 @@ pub unsafe extern "C" fn v_editor_get_scene(
     })
 }
 
-/// Replaces the scene in a window, in one step that the user can undo, even if the
-/// scene is equal to the old one. The scene is copied with its space, title, comment
-/// and so on, and with its wireframe object if it has one. The space given in the
-/// options applies only to what the window began with.
+/// Replaces the scene in a window, in one step that the user can undo, even if it is
+/// equal to the old one, with its space, title, comment and so on, and its wireframe
+/// object if it has one. The space in the options applies only to what the window began
+/// with.
 ///
-/// The path that is edited remains the one edited if the new scene has a node of the
-/// same name that follows a path. Otherwise the path of the camera shown, if it has
-/// one, is edited, with the base speeds given when the window was opened. A scene with
-/// nothing but one camera on a path is treated as that path. A drag in progress ends
-/// where it is. The playhead stays at its frame if the scene has that frame.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_BUSY, V_ERR_ARGUMENT, V_ERR_RANGE,
-/// V_ERR_MEMORY, V_ERR_LIMIT.
+/// The path that is edited remains so if the new scene has a node of the same name that
+/// follows a path. Otherwise that of the camera shown, if it has one, is edited, with
+/// the base speeds given when the window was opened. A scene with nothing but one
+/// camera on a path is treated as that path. A drag in progress ends where it is. The
+/// playhead stays at its frame if the scene has that frame.
+/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_set_scene(editor: *mut V_EDITOR, scene: *const V_SCENE) -> c_int {
     border(V_ERR_INTERNAL, || {

@@ -27,9 +27,9 @@ fn travel(
 
 /// ==== Steps of a window ====
 ///
-/// Undoes the last step of a window, like Ctrl-Z. A window keeps the last 10,000 steps,
-/// and at most 256 MiB of what they changed.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (nothing to undo).
+/// Undoes the last step of a window, like Ctrl-Z. It keeps the last 10,000 steps, and
+/// at most 256 MiB of what they changed.
+/// V_ERR_ARGUMENT (nothing to undo).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_undo(editor: *mut V_EDITOR) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -38,7 +38,7 @@ pub unsafe extern "C" fn v_editor_undo(editor: *mut V_EDITOR) -> c_int {
 }
 
 /// Redoes the step that was undone last, like Ctrl-Y.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (nothing to redo).
+/// V_ERR_ARGUMENT (nothing to redo).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_redo(editor: *mut V_EDITOR) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -46,10 +46,9 @@ pub unsafe extern "C" fn v_editor_redo(editor: *mut V_EDITOR) -> c_int {
     })
 }
 
-/// Begins a group of changes that the user undoes as one step: all changes in a window
-/// until v_editor_end_step(), yours and the user's. It replaces a group begun before;
-/// loading another document in the window ends it.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED.
+/// Begins a group of changes in a window, yours and the user's, that the user undoes as
+/// one step. It replaces a group begun before; loading another document in the window
+/// ends it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_begin_step(editor: *mut V_EDITOR) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -59,8 +58,7 @@ pub unsafe extern "C" fn v_editor_begin_step(editor: *mut V_EDITOR) -> c_int {
     })
 }
 
-/// Ends the group begun by v_editor_begin_step(); does nothing without one.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED.
+/// Ends the group of v_editor_begin_step(); does nothing without one.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_end_step(editor: *mut V_EDITOR) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -70,10 +68,8 @@ pub unsafe extern "C" fn v_editor_end_step(editor: *mut V_EDITOR) -> c_int {
     })
 }
 
-/// Gets the current point and orientation, both counted from 0, see v_editor_select().
-/// Any result may be NULL.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no path of its scene is
-/// edited).
+/// Gets the current point and orientation.
+/// V_ERR_ARGUMENT (no path is edited).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_get_selection(
     editor: *const V_EDITOR,
@@ -101,8 +97,7 @@ pub unsafe extern "C" fn v_editor_get_selection(
     })
 }
 
-/// Gets whether a window is playing, see v_editor_play(): *playing is 1 or 0.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED.
+/// Gets whether a window is playing: 1 or 0.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_is_playing(
     editor: *const V_EDITOR,

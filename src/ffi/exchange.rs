@@ -13,21 +13,19 @@ use crate::formats::{self, Format, Loss, Options, Report, Source};
 /// Writes a scene in another program's format. Each file is replaced atomically. A
 /// missing folder is created only for colmap, inside an existing one.
 ///
-/// format   gltf, glb, usda, blender, paraview, vtk, nerfstudio, transforms, cameras,
-///     tum, euroc, kitti, colmap (a folder), osg, chan, html, ascii, csv, json or vid; NULL:
-///     by the name of the file
+/// format  gltf, glb, usda, blender, paraview, vtk, nerfstudio, transforms, instant-ngp,
+///     cameras, supersplat, tum, euroc, kitti, matrices, open3d, colmap (a folder), osg,
+///     chan, html, ascii, csv, json or vid; NULL: by the name of the file
 /// options  lines of name=value ("fps=30\nnode=camera"); NULL: none. The names are
-///     node, clip, frames, fps, start, size, up, scale, as, tolerance, angle, compact, digits
-///     and rotation-order; `vides convert --help` explains them. The last of duplicates
-///     counts; names that a format does not use are ignored
+///     node, clip, frames, fps, times, start, size, up, scale, as, tolerance, angle, compact,
+///     digits and rotation-order; `vides convert --help` explains them. The last of
+///     duplicates counts; names that a format does not use are ignored
 ///
-/// What the format cannot hold is left out. The call then still returns V_OK, and
-/// v_last_warning() lists the losses, one per line, or returns "".
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY, V_ERR_ARGUMENT (format, options, no such node,
-/// a host interpolation that fails), V_ERR_RANGE (frames, fps), V_ERR_FORMAT (a folder
-/// that holds what would be read first), V_ERR_IO, V_ERR_LIMIT, V_ERR_MEMORY. If memory
-/// runs out while a file is opened or written, the program may end; the old file is
-/// kept.
+/// What the format cannot hold is left out; v_last_warning() lists such losses, one per
+/// line, or returns "".
+/// V_ERR_ARGUMENT (also no such node, a host interpolation that fails), V_ERR_RANGE,
+/// V_ERR_FORMAT (a folder that holds what would be read first), V_ERR_IO, V_ERR_LIMIT,
+/// V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_export(
     scene: *const V_SCENE,
@@ -52,20 +50,19 @@ pub unsafe extern "C" fn v_scene_export(
     })
 }
 
-/// Reads another program's file, or a COLMAP folder, as a scene. Poses become a path
-/// fitted with few points; with "as=keys", or fewer than three poses, they become a
-/// camera with one key each. Free *scene with v_scene_free().
+/// Reads another program's file, or a folder of files, as a scene. Poses become a path
+/// fitted with few points; with "as=keys", or fewer than three poses, a camera with one
+/// key each.
 ///
-/// format   gltf, glb, usda, nerfstudio, transforms, cameras, tum, euroc, kitti, colmap, osg,
-///     chan, paraview (as v_scene_export() writes it; no code is run), ascii, csv, json
-///     or vid; NULL: by the content
+/// format  gltf, glb, usda, nerfstudio, transforms, instant-ngp, cameras, supersplat, tum,
+///     euroc, kitti, matrices, open3d, record3d, polycam, colmap, osg, chan, paraview (as
+///     v_scene_export() writes it; no code is run), ascii, csv, json or vid; NULL: by the
+///     content
 /// options  as for v_scene_export()
 ///
-/// The call returns V_OK even if parts of the file are ignored. v_last_warning() lists
-/// them, and how well a path fits, one per line; "" if there is nothing to report.
-/// V_ERR_NULL, V_ERR_ARGUMENT (format, options), V_ERR_IO, V_ERR_FORMAT (with place and
-/// reason in v_last_error()), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY. If memory runs
-/// out while the file is parsed, the program may end.
+/// v_last_warning() lists parts of the file that are ignored, and how well a path fits,
+/// one per line, or returns "".
+/// V_ERR_ARGUMENT, V_ERR_IO, V_ERR_FORMAT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_import(
     file: *const c_char,

@@ -32,17 +32,15 @@ fn tell(lost: Option<&Lost>) {
 /// ==== The host's event loop ====
 ///
 /// Returns the descriptor to watch with select(), poll() or the like; when it is
-/// readable, call v_dispatch(). It remains the same and open as long as the thread
-/// lives, with and without windows. It belongs to the library: never read or close it.
-/// Returns -1 if the system has no more descriptors; v_last_error() returns the reason.
+/// readable, call v_dispatch(). It stays the same and open as long as the thread lives;
+/// never read or close it. Returns -1 if the system has no more descriptors.
 ///
-/// A program with an Xt or Motif main loop needs none of these functions: Xt serves its
-/// windows, even if the program calls XtAppPending() first, unless it processes
-/// XtIMXEvent only. Any other program, including one that runs Xt under its own
-/// select(), watches this descriptor or calls v_main_loop(). Each function concerns the
-/// windows that the calling thread opened. If no loop serves a window, a hint appears
-/// on standard error.
-/// The thread that opens the windows; from callbacks too.
+/// The functions of this section concern the windows that the calling thread opened. A
+/// program with an Xt or Motif main loop needs none of them: Xt serves its windows,
+/// even if the program calls XtAppPending() first, unless it processes XtIMXEvent only.
+/// Any other program, also one that runs Xt under its own select(), watches this
+/// descriptor or calls v_main_loop(). If no loop serves a window, a hint appears on
+/// standard error.
 #[unsafe(no_mangle)]
 pub extern "C" fn v_fd() -> c_int {
     border(-1, || {
@@ -53,10 +51,8 @@ pub extern "C" fn v_fd() -> c_int {
     })
 }
 
-/// Returns the longest time in milliseconds to wait for the descriptor before
-/// v_dispatch() has something to do, even without input; -1 if there is no limit. You
-/// may also wait for v_fd() alone, which becomes readable at that time.
-/// The thread that opens the windows; from callbacks too.
+/// Returns the milliseconds after which v_dispatch() has something to do even without
+/// input, and v_fd() becomes readable; -1: no limit.
 #[unsafe(no_mangle)]
 pub extern "C" fn v_timeout() -> c_int {
     border(-1, || {
@@ -69,11 +65,10 @@ pub extern "C" fn v_timeout() -> c_int {
     })
 }
 
-/// Does all pending work for the windows and never waits; callbacks run inside it.
-/// Returns the number of open windows. A window that was destroyed, or whose X server
-/// went away, is not counted; v_last_error() returns the reason. Inside a callback it
-/// serves all windows except those whose callbacks are running.
-/// The thread that opens the windows; from callbacks too.
+/// Does all pending work for the windows without waiting; callbacks run inside it.
+/// Returns the number of open windows; if one was destroyed, or its X server went away,
+/// v_last_error() returns the reason. Inside a callback it serves all windows except
+/// those whose callbacks are running.
 #[unsafe(no_mangle)]
 pub extern "C" fn v_dispatch() -> c_int {
     border(0, || {
@@ -85,11 +80,10 @@ pub extern "C" fn v_dispatch() -> c_int {
     })
 }
 
-/// Serves the windows until the last one is closed, sleeping in between; for programs
-/// that do nothing else meanwhile. Returns at once if there are no windows.
-/// The thread that opens the windows. V_ERR_BUSY inside a callback; V_ERR_DISPLAY if a
-/// window was destroyed or its X server went away, after all windows have closed;
-/// V_ERR_LIMIT without descriptors.
+/// Serves the windows until the last one is closed, sleeping in between. Returns at
+/// once without windows.
+/// V_ERR_BUSY (inside a callback), V_ERR_DISPLAY (a window was destroyed or its X
+/// server went away; after all have closed), V_ERR_LIMIT (no descriptors).
 #[unsafe(no_mangle)]
 pub extern "C" fn v_main_loop() -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -110,11 +104,9 @@ pub extern "C" fn v_main_loop() -> c_int {
     })
 }
 
-/// Lets an Xt application context, an XtAppContext run by this thread, serve the
-/// thread's windows. Needed only if your program creates its context after opening a
-/// window: v_haupt() and v_editor_open() find all existing contexts.
-/// The thread that opens the windows; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT
-/// (no Xt in this program, or no such context), V_ERR_LIMIT.
+/// Lets an XtAppContext run by this thread serve its windows. Needed only for one
+/// created after a window was opened, since opening a window finds all that exist.
+/// V_ERR_ARGUMENT (no Xt, or no such context), V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub extern "C" fn v_set_app_context(app_context: *mut c_void) -> c_int {
     border(V_ERR_INTERNAL, || {

@@ -23,37 +23,31 @@ type Ende = unsafe extern "C" fn() -> c_int;
 
 /// ==== The interface of 1994 ====
 ///
-/// Opens an editor window for a camera path and returns at once. The window then works
-/// beside your program, in its event loop. Each call opens another, independent window,
-/// on the display that the program's Xt opened last; without Xt, on the environment's
-/// DISPLAY. A program with an Xt or Motif main loop needs nothing more; others see
-/// v_fd() and v_main_loop(). Work that is not handed over or saved when the program
-/// ends is offered at its next start; for your own Quit see v_editors_close().
+/// Opens an editor window for a camera path and returns at once. Each call opens
+/// another, independent window, on the display that the program's Xt opened last;
+/// without Xt, on the environment's DISPLAY. It works in your program's event loop: a
+/// program with an Xt or Motif main loop needs nothing more; others see v_fd() and
+/// v_main_loop(). Work not handed over or saved when the program ends is offered at its
+/// next start; for your own Quit see v_editors_close().
 ///
-/// move_speed, orient_speed, zoom_speed, winkel_speed  number of poses at speed 50 for
-///     moving by a length of 1, for turning by 180 degrees, for zooming from 1 to 100,
-///     for rolling by 90 degrees. Each is finite and > 0; otherwise 100 is used. They
-///     are fixed in this window: those of a file that is loaded are ignored
-/// interpol_liste  first element of the list that receives the poses, see V_KAMERAPAR.
-///     It is yours and must outlive the window; may be NULL. Its number is read at each
-///     hand-over: < 0 means no data (any more). Several windows may share
-///     an element
-/// anzahl_objekt, objekt  points of an object to show, copied during the call; NULL or
-///     a number <= 0 for none. The new path looks at it
+/// move_speed, orient_speed, zoom_speed, winkel_speed  poses at speed 50 for moving by
+///     1, turning by 180 degrees, zooming from 1 to 100, rolling by 90 degrees; 100
+///     replaces one that is not finite and > 0. Those of a loaded file are ignored
+/// interpol_liste  first element of the list that receives the poses, see V_KAMERAPAR,
+///     or NULL. It must outlive the window; several windows may share it. Its number is
+///     read at each hand-over: < 0 means no data (any more)
+/// anzahl_objekt, objekt  points of an object to show, at which the new path looks;
+///     NULL or a number <= 0: none
 /// rueck  called when the user hands over poses, with the list and its count; may be
-///     NULL. The list is not changed until the next hand-over. If interpol_liste is
-///     NULL, the elements belong to VIDES and are valid until rueck returns
-/// ende   called before the user closes the window; returning 0 keeps it open; may be
-///     NULL
+///     NULL. The list is unchanged until the next hand-over. If interpol_liste is NULL,
+///     the elements are valid until rueck returns
+/// ende  called before the user closes the window; 0 keeps it open; may be NULL
 ///
-/// rueck and ende run on the thread that called v_haupt(). The rules of v_editor_open()
-/// for callbacks apply to them.
-///
-/// Wrong arguments, or a window that cannot be opened, are reported in one line on
-/// standard error that begins with "vides:", by v_last_error(), and in the window if
-/// there is one. When the thread ends, its window is closed, and such a line reports
-/// it.
-/// From the thread that runs the event loop; from callbacks too.
+/// Call it from the thread that runs the event loop; rueck and ende run there, by the
+/// rules of v_editor_open(). Wrong arguments, a window that cannot be opened, or one
+/// that closes because its thread ends are reported in one line on standard error that
+/// begins with "vides:"; the first two also by v_last_error(), and in the window if
+/// there is one.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_haupt(
     move_speed: c_float,
@@ -246,11 +240,10 @@ fn report(warnings: &Warnings) {
     }
 }
 
-/// Frees all elements of a list except the first, which is yours, and sets the number
-/// of the first to -1 (no data). It frees only a list that VIDES made and whose links
-/// and numbers are unchanged; otherwise it changes nothing, and v_last_error() returns
-/// the reason. It ignores NULL and lists without data (number < 0).
-/// Any thread, if no other uses the list meanwhile; from callbacks too.
+/// Frees all elements of a list except the first, which is yours, and sets its number
+/// to -1 (no data). A list that VIDES did not make, or whose links and numbers were
+/// changed, stays unchanged; v_last_error() returns the reason. NULL and lists without
+/// data (number < 0) are ignored. No other thread may use the list meanwhile.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_free_liste(first: *mut V_KAMERAPAR) {
     border((), || {

@@ -36,12 +36,12 @@ fn command(
 
 /// ==== The window and the host's own picture ====
 ///
-/// Shows your program's camera in a window, as a ghost in the space, which the user can
-/// add to the path as a point. NULL hides it. vpn and vup may have any length but 0.
+/// Shows your program's camera as a ghost, which the user can add to the path as a
+/// point; NULL hides it. vpn and vup have any length but 0.
 ///
 /// Changes that a callback makes with the functions of this section or with
 /// v_editor_set_path() do not cause further callbacks.
-/// V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_NULL (editor), V_ERR_ARGUMENT, V_ERR_RANGE.
+/// V_ERR_ARGUMENT, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_set_view(editor: *mut V_EDITOR, pose: *const V_POSE) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -51,10 +51,9 @@ pub unsafe extern "C" fn v_editor_set_view(editor: *mut V_EDITOR, pose: *const V
     })
 }
 
-/// Gets the frame at the playhead, counted from 1; v_path_pose() gets the camera there.
-/// It may lie between two whole frames. In a scene it is a frame of the scene, as for
-/// v_scene_evaluate().
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_MEMORY, V_ERR_LIMIT.
+/// Gets the frame at the playhead, for v_path_pose(); in a scene a frame of the scene,
+/// for v_scene_evaluate().
+/// V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_get_frame(
     editor: *const V_EDITOR,
@@ -69,11 +68,10 @@ pub unsafe extern "C" fn v_editor_get_frame(
     })
 }
 
-/// Moves the playhead to a frame, from 1 to v_path_frame_count(), which may lie between
-/// two whole frames. The orientation that the camera comes from becomes current. In a
-/// scene it is a frame of the scene, within v_scene_frame_range(), whatever is
-/// selected.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_RANGE, V_ERR_MEMORY, V_ERR_LIMIT.
+/// Moves the playhead to a frame; the orientation that the camera comes from becomes
+/// current. In a scene it is a frame of the scene, within v_scene_frame_range(),
+/// whatever is selected.
+/// V_ERR_RANGE, V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_set_frame(editor: *mut V_EDITOR, frame: c_double) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -81,10 +79,8 @@ pub unsafe extern "C" fn v_editor_set_frame(editor: *mut V_EDITOR, frame: c_doub
     })
 }
 
-/// Plays the flight from the playhead, or from the beginning if that is at the end;
-/// play 0 stops. It starts when the window is next served, and continues whether or not
-/// the window is visible.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED.
+/// Plays the flight from the playhead, or from the beginning if that is at the end,
+/// when the window is next served, even if it is not visible; 0 stops.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_play(editor: *mut V_EDITOR, play: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -95,9 +91,8 @@ pub unsafe extern "C" fn v_editor_play(editor: *mut V_EDITOR, play: c_int) -> c_
     })
 }
 
-/// Makes an orientation of a point current, both counted from 0.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no path is edited),
-/// V_ERR_RANGE.
+/// Makes an orientation of a point current.
+/// V_ERR_ARGUMENT (no path is edited), V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_select(
     editor: *mut V_EDITOR,
@@ -110,10 +105,8 @@ pub unsafe extern "C" fn v_editor_select(
     })
 }
 
-/// Replaces the object shown, in one step that the user can undo. The mesh is copied;
-/// NULL removes the object.
-/// V_ERR_NULL (editor), V_ERR_SIZE, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT,
-/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// Replaces the object shown, in one step that the user can undo; NULL removes it.
+/// V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_set_object(
     editor: *mut V_EDITOR,
@@ -126,9 +119,9 @@ pub unsafe extern "C" fn v_editor_set_object(
     })
 }
 
-/// Sets the text after "VIDES" in the window's title: UTF-8, one line (control
-/// characters are shown as spaces); NULL: the name of the file.
-/// V_ERR_NULL (editor), V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT, V_ERR_MEMORY.
+/// Sets the text after "VIDES" in the window's title, one line (control characters
+/// become spaces); NULL: the name of the file.
+/// V_ERR_ARGUMENT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_set_title(editor: *mut V_EDITOR, title: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -141,8 +134,7 @@ pub unsafe extern "C" fn v_editor_set_title(editor: *mut V_EDITOR, title: *const
     })
 }
 
-/// Gets whether closing a window would lose work: *modified is 1 or 0.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED.
+/// Gets whether closing a window would lose work: 1 or 0.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_is_modified(
     editor: *const V_EDITOR,
@@ -157,10 +149,8 @@ pub unsafe extern "C" fn v_editor_is_modified(
     })
 }
 
-/// Marks the contents of a window as saved, after your program has kept them, for
-/// example from v_editor_get_path(). They count as saved until the next change and are
-/// not offered at the next start.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED.
+/// Marks the contents of a window as saved, after your program has kept them: until the
+/// next change they are not offered at the next start.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_mark_saved(editor: *mut V_EDITOR) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -171,11 +161,9 @@ pub unsafe extern "C" fn v_editor_mark_saved(editor: *mut V_EDITOR) -> c_int {
     })
 }
 
-/// Saves the contents of a window to a .vid file, replacing an existing one; the window
-/// edits that file from then on. NULL: its own file, unless another program has changed
-/// it meanwhile.
-/// V_ERR_NULL (editor), V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no file yet, or
-/// changed by others), V_ERR_IO, V_ERR_MEMORY.
+/// Saves the contents of a window to a .vid file, which it edits from then on. NULL:
+/// its own file, unless another program has changed it.
+/// V_ERR_ARGUMENT (no file yet, or changed by others), V_ERR_IO, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_save(editor: *mut V_EDITOR, file: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -186,7 +174,7 @@ pub unsafe extern "C" fn v_editor_save(editor: *mut V_EDITOR, file: *const c_cha
 }
 
 /// Raises a window above all others, if the desktop allows it.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_DISPLAY.
+/// V_ERR_DISPLAY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_raise(editor: *mut V_EDITOR) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -197,7 +185,7 @@ pub unsafe extern "C" fn v_editor_raise(editor: *mut V_EDITOR) -> c_int {
 }
 
 /// Closes all windows that this thread has open, including those of v_haupt(), for your
-/// program's Quit. Windows opened meanwhile stay open. Handles must still be freed with
+/// program's Quit. Windows opened meanwhile stay open. You still free the handles with
 /// v_editor_close().
 ///
 /// ask  0: closes without asking; unsaved work is offered at the next start. Otherwise
@@ -206,11 +194,10 @@ pub unsafe extern "C" fn v_editor_raise(editor: *mut V_EDITOR) -> c_int {
 ///
 /// While a window asks, the call also handles the events, timers and inputs of a
 /// program with Xt, in the context that this thread ran last; no longjmp() and no
-/// exception may leave their callbacks. A second call meanwhile raises the window that
-/// asks and fails with V_ERR_BUSY.
-/// The thread that opens the windows. V_ERR_REFUSED (the windows before that one are
-/// closed), V_ERR_BUSY from within a callback or while an earlier call asks,
-/// V_ERR_DISPLAY, V_ERR_LIMIT without descriptors.
+/// exception may leave their callbacks. A second call meanwhile raises that window.
+/// V_ERR_REFUSED (the windows before that one are closed), V_ERR_BUSY (within a
+/// callback, or while an earlier call asks), V_ERR_DISPLAY, V_ERR_LIMIT (no
+/// descriptors).
 #[unsafe(no_mangle)]
 pub extern "C" fn v_editors_close(ask: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {

@@ -131,9 +131,8 @@ unsafe fn read_orientation(o: *const V_ORIENTATION) -> Answer<Orientation> {
 
 /// ==== Orientations ====
 ///
-/// Fills in an orientation: size, viewing direction (0, 0, -1) (relative, target (0, 0,
-/// -0.4)), roll 0, zoom 24, tension, continuity and bias 0, all speeds 50, hold 0. NULL
-/// only sets v_last_error().
+/// Fills in an orientation: relative target (0, 0, -0.4), roll 0, zoom 24, tension,
+/// continuity and bias 0, all speeds 50, hold 0.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_orientation_init(o: *mut V_ORIENTATION) {
     border((), || {
@@ -142,10 +141,9 @@ pub unsafe extern "C" fn v_orientation_init(o: *mut V_ORIENTATION) {
     });
 }
 
-/// Gets the number of orientations of a point, 1 to 10. They count from 0, in the order
-/// in which the camera takes them: it arrives in the first, turns from one to the next,
-/// and leaves in the last.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+/// Gets the number of orientations of a point, 1 to 10. The camera arrives in the
+/// first, turns from one to the next, and leaves in the last.
+/// V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_orientation_count(
     path: *const V_PATH,
@@ -162,11 +160,9 @@ pub unsafe extern "C" fn v_path_orientation_count(
     })
 }
 
-/// Inserts an orientation before the one at index at; if at is their number, appends
-/// it. o is copied; NULL copies the orientation before the new one, or the first one if
-/// at is 0.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_SIZE, V_ERR_LIMIT,
-/// V_ERR_MEMORY.
+/// Inserts an orientation before index at; if at is their number, appends it. NULL
+/// copies the one before it, or the first one if at is 0.
+/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_insert_orientation(
     path: *mut V_PATH,
@@ -190,7 +186,7 @@ pub unsafe extern "C" fn v_path_insert_orientation(
 }
 
 /// Removes an orientation. The only one of a point cannot be removed.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+/// V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_remove_orientation(
     path: *mut V_PATH,
@@ -203,9 +199,9 @@ pub unsafe extern "C" fn v_path_remove_orientation(
     })
 }
 
-/// Sets all values of an orientation; o is copied. Settings that V_ORIENTATION does not
-/// have (ease, distance curve, fixed frames, looking ahead) are unchanged.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_SIZE.
+/// Sets all values of an orientation. Settings that V_ORIENTATION does not have (ease,
+/// distance curve, fixed frames, looking ahead, up) are unchanged.
+/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_SIZE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_orientation(
     path: *mut V_PATH,
@@ -225,9 +221,8 @@ pub unsafe extern "C" fn v_path_set_orientation(
     })
 }
 
-/// Gets the values of an orientation. Set o->size before, for example with
-/// v_orientation_init().
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_SIZE.
+/// Gets the values of an orientation.
+/// V_ERR_RANGE, V_ERR_SIZE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_orientation(
     path: *const V_PATH,
@@ -246,7 +241,7 @@ pub unsafe extern "C" fn v_path_get_orientation(
 
 /// Makes the target of an orientation absolute (not 0) or relative (0). The view does
 /// not change.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+/// V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_absolute(
     path: *mut V_PATH,
@@ -267,14 +262,13 @@ pub unsafe extern "C" fn v_path_set_absolute(
     })
 }
 
-/// Makes an orientation look ahead along the path instead of at its target. In a
-/// section between two orientations with the same distance and the same up, the camera
-/// looks ahead throughout.
+/// Makes an orientation look ahead along the path instead of at its target. Between two
+/// orientations with the same distance and up, the camera looks ahead throughout.
 ///
 /// distance  0: along the tangent; > 0: at the position this far ahead on the curve,
-///     straight on beyond its end; < 0: stops looking ahead and keeps the present
-///     direction as an offset. At most 1e9 times half_size
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
+///     straight on beyond its end, at most 1e9 times half_size; < 0: no longer ahead,
+///     keeping the present direction as an offset
+/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_ahead(
     path: *mut V_PATH,
@@ -300,9 +294,8 @@ pub unsafe extern "C" fn v_path_set_ahead(
     })
 }
 
-/// Gets how far ahead an orientation looks, see v_path_set_ahead(); -1 if it looks at
-/// its target.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+/// Gets how far ahead an orientation looks; -1 if it looks at its target.
+/// V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_ahead(
     path: *const V_PATH,
@@ -321,22 +314,21 @@ pub unsafe extern "C" fn v_path_get_ahead(
 }
 
 /// Sets which way is up for an orientation, before its roll, whether it looks at a
-/// target or ahead. In a section between two orientations with the same view and the
-/// same up, the camera keeps both throughout.
+/// target or ahead. Between two orientations with the same view and up, the camera
+/// keeps both throughout.
 ///
 /// up  "axis"     the up axis of the space, the default
 ///     "point"    towards up_point
 ///     "path"     towards the position on up_path at the same fraction of its length.
-///                The curve is copied; a closed one ends where it begins
+///                A closed one ends where it begins
 ///     "minimal"  starts with the up axis and is carried on without turning about the
 ///                view, through all consecutive orientations that have it; on a closed
 ///                path, the angle missing at the end is spread over the length
-///     "frenet"   the normal of the curve; only for curves of kind "cubic" without
-///                custom tangents
+///     "frenet"   the normal of the curve, only of kind "cubic" without custom tangents
 ///     "y", "z"   this axis, whatever the space's up axis
 /// Arguments that an up does not need may be NULL. A path has at most 10 different up
-/// paths, each with at most 1000 points.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// paths of at most 1000 points.
+/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_up(
     path: *mut V_PATH,
@@ -370,14 +362,9 @@ const UPS: [&CStr; 7] = [
     c"axis", c"point", c"path", c"minimal", c"frenet", c"y", c"z",
 ];
 
-/// Gets which way is up for an orientation, see v_path_set_up(). Any result may be
-/// NULL.
-///
-/// up        its name; the text belongs to the library and is constant
-/// up_point  the point of "point", otherwise zeros
-/// up_path   an open path with the curve of "path", to be freed with v_path_free();
-///     otherwise NULL
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// Gets the up of an orientation (a constant text), the point of "point" or zeros, and
+/// an open path with the curve of "path", which you free, or NULL.
+/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 /// cbindgen:ptrs-as-arrays=[[up_point; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_up(

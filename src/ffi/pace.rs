@@ -39,15 +39,12 @@ fn finite(numbers: [(f64, &'static str); 3]) -> Answer<()> {
 
 /// ==== Speed profile ====
 ///
-/// Gets distance and speed of an ease: speeding up, cruising and slowing down.
+/// Gets distance and speed of an ease at t, from 0 to 1: the fraction of the distance
+/// covered, 0 to 1, and its derivative.
 ///
-/// kind  V_EASE_SINE or V_EASE_PARABOLIC
+/// kind  V_EASE_...
 /// rise, fall  fractions of the time for speeding up and slowing down, not negative,
 ///     together at most 1
-/// t     from 0 to 1
-/// distance  fraction of the distance covered at t, 0 to 1
-/// speed     its derivative
-/// Any result may be NULL.
 /// V_ERR_ARGUMENT, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_ease(
@@ -81,14 +78,13 @@ pub unsafe extern "C" fn v_ease(
     })
 }
 
-/// Makes the section that begins with an orientation speed up, cruise and slow down,
-/// instead of using its ten speeds or a distance curve.
+/// Makes a section speed up, cruise and slow down, instead of using the ten speeds of
+/// the orientation with which it begins (point, at) or a distance curve.
 ///
-/// kind  V_EASE_SINE, V_EASE_PARABOLIC, or -1: back to the ten speeds; the other values
-///     are ignored
-/// rise, fall  fractions of the time, as in v_ease()
+/// kind  V_EASE_..., or -1: back to the ten speeds; the other values are ignored
+/// rise, fall  as in v_ease()
 /// cruise  the cruising speed, 1 to 100
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
+/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_ease(
     path: *mut V_PATH,
@@ -115,9 +111,8 @@ pub unsafe extern "C" fn v_path_set_ease(
     })
 }
 
-/// Gets the ease of the section that begins with an orientation, see v_path_set_ease();
-/// kind -1 and zeros if it has none. Any result may be NULL.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+/// Gets the ease of a section, see v_path_set_ease(); kind -1 and zeros if it has none.
+/// V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_ease(
     path: *const V_PATH,
@@ -152,14 +147,13 @@ pub unsafe extern "C" fn v_path_get_ease(
     })
 }
 
-/// Sets the distance curve of the section that begins with an orientation: distance as
-/// a function of time, instead of its ten speeds or an ease. It runs smoothly through
-/// the keys and never goes back.
+/// Sets the distance as a function of time in a section (point, at), instead of ten
+/// speeds or an ease. It runs smoothly through the keys and never goes back.
 ///
-/// time_way  pairs (fraction of the time, fraction of the distance), from 0, 0 to 1, 1,
-///     both increasing
-/// keys      number of pairs, 2 to 32; 0: back to the ten speeds; time_way is ignored
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
+/// time_way  pairs (fraction of the time, of the distance), from 0, 0 to 1, 1, both
+///     increasing
+/// keys  number of pairs, 2 to 32; 0: back to the ten speeds
+/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_distance(
     path: *mut V_PATH,
@@ -183,12 +177,8 @@ pub unsafe extern "C" fn v_path_set_distance(
     })
 }
 
-/// Gets the distance curve of the section that begins with an orientation, see
-/// v_path_set_distance(). *keys is the number of pairs, 0 if it has none. capacity is
-/// the number of pairs that time_way has room for. If that is too small, only *keys is
-/// written and the call fails with V_ERR_SIZE; with time_way NULL and capacity 0, only
-/// *keys is written.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_SIZE.
+/// Gets the pairs of v_path_set_distance(), if any; capacity and *keys count pairs.
+/// V_ERR_RANGE, V_ERR_SIZE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_distance(
     path: *const V_PATH,
@@ -219,10 +209,10 @@ pub unsafe extern "C" fn v_path_get_distance(
 
 /// ==== Fixed frames ====
 ///
-/// Fixes the number of frames of the section that begins with an orientation, whatever
-/// its length; 0: it follows from the length again. A section in which nothing changes
-/// always has 0 frames. The path may have at most 100000000 frames in all.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// Fixes the number of frames of the section that begins with an orientation; 0: it
+/// follows from the length. A section in which nothing changes always has 0 frames. A
+/// path has at most 100000000.
+/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_frames(
     path: *mut V_PATH,
@@ -236,9 +226,8 @@ pub unsafe extern "C" fn v_path_set_frames(
     })
 }
 
-/// Gets the fixed frames of the section that begins with an orientation; 0: they follow
-/// from the length.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+/// Gets the fixed frames of a section, see v_path_set_frames().
+/// V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_frames(
     path: *const V_PATH,
@@ -258,7 +247,7 @@ pub unsafe extern "C" fn v_path_get_frames(
 
 /// Sets whether v_path_fit_frames() keeps the frames of the section that begins with an
 /// orientation (not 0) or not (0).
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
+/// V_ERR_RANGE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_frames_locked(
     path: *mut V_PATH,
@@ -271,9 +260,8 @@ pub unsafe extern "C" fn v_path_set_frames_locked(
     })
 }
 
-/// Gets whether the frames of a section are locked, see v_path_set_frames_locked(): 1
-/// or 0.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+/// Gets whether the frames of a section are locked: 1 or 0.
+/// V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_frames_locked(
     path: *const V_PATH,
@@ -291,19 +279,16 @@ pub unsafe extern "C" fn v_path_get_frames_locked(
     })
 }
 
-/// Fixes the frames of all moving sections between two points, so that it takes
-/// exactly frames from the first pose at first_point to the last pose at last_point,
-/// holds included. With 0 and the last point, v_path_frame_count() is then exactly
-/// frames; on a closed path that includes the way back to the first point. On a closed
-/// path first_point may also be after last_point.
+/// Fixes the frames of all moving sections between two points, so that it takes exactly
+/// frames from the first pose at first_point to the last pose at last_point, holds
+/// included. 0 and the last point stand for the whole path, if closed with the way back
+/// to the first. On a closed path first_point may be after last_point.
 ///
-/// Frames are shared in proportion to those that sections have now (unrounded if they
+/// Sections share the frames in proportion to those they have now (unrounded if they
 /// follow from the length), at least one each, by largest remainder; ties go to the
-/// earlier section. Locked sections keep their frames. Frames fixed by an earlier call
-/// count as they are; v_path_set_frames() with 0 makes them follow from the length
-/// again. If frames is too small, the call fails and v_last_error() returns the
-/// smallest possible number.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
+/// earlier section. Locked sections keep theirs. If frames is too small, v_last_error()
+/// returns the least.
+/// V_ERR_RANGE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_fit_frames(
     path: *mut V_PATH,

@@ -113,8 +113,8 @@ pub(super) fn edit_and<R>(
 /// ==== Paths ====
 ///
 /// Makes a new path: two points at (-0.6, 0.2, 0.8) and (0.6, 0.2, 0.8), each with one
-/// orientation as v_orientation_init() fills it in. Free *path with v_path_free().
-/// V_ERR_NULL, V_ERR_MEMORY, V_ERR_LIMIT.
+/// orientation of v_orientation_init().
+/// V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_new(path: *mut *mut V_PATH) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -125,8 +125,8 @@ pub unsafe extern "C" fn v_path_new(path: *mut *mut V_PATH) -> c_int {
     })
 }
 
-/// Makes an independent copy of a path. Free *copy with v_path_free().
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_MEMORY, V_ERR_LIMIT.
+/// Makes an independent copy of a path.
+/// V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_clone(path: *const V_PATH, copy: *mut *mut V_PATH) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -137,8 +137,7 @@ pub unsafe extern "C" fn v_path_clone(path: *const V_PATH, copy: *mut *mut V_PAT
     })
 }
 
-/// Frees a path and makes its handle invalid. NULL is ignored; an invalid handle only
-/// sets v_last_error(). If another thread is using the path, its call completes
+/// Frees a path. NULL is ignored. A call that uses it in another thread completes
 /// normally.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_free(path: *mut V_PATH) {
@@ -150,12 +149,10 @@ pub unsafe extern "C" fn v_path_free(path: *mut V_PATH) {
     });
 }
 
-/// Reads a path from a .vid file. From a scene (see v_scene_load()) it reads the path
-/// of the camera shown; saving that to the same file would lose the rest of the scene.
-/// file is a name as for open(). Free *path with v_path_free().
-/// V_ERR_NULL, V_ERR_IO, V_ERR_FORMAT (with line and reason in v_last_error()),
-/// V_ERR_ARGUMENT (no camera, or it follows no path), V_ERR_MEMORY, V_ERR_LIMIT. If
-/// memory runs out while the text itself is read or parsed, the program ends.
+/// Reads a path from a .vid file; of a scene, the path of the camera shown: saving that
+/// to the same file would lose the rest.
+/// V_ERR_IO, V_ERR_FORMAT, V_ERR_ARGUMENT (no camera, or it follows no path),
+/// V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_load(file: *const c_char, path: *mut *mut V_PATH) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -168,10 +165,9 @@ pub unsafe extern "C" fn v_path_load(file: *const c_char, path: *mut *mut V_PATH
     })
 }
 
-/// Reads a path from the text of a .vid file in memory, like v_path_load(). text has
-/// size bytes of UTF-8 and need not be zero-terminated. Free *path with v_path_free().
-/// V_ERR_NULL, V_ERR_FORMAT (with line and reason in v_last_error()), V_ERR_ARGUMENT (a
-/// scene without such a camera), V_ERR_MEMORY (but see v_path_load()), V_ERR_LIMIT.
+/// Like v_path_load(), from the text of a .vid file: size bytes, which need not be
+/// zero-terminated.
+/// V_ERR_FORMAT, V_ERR_ARGUMENT, V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_load_from_memory(
     text: *const c_char,
@@ -190,11 +186,9 @@ pub unsafe extern "C" fn v_path_load_from_memory(
     })
 }
 
-/// Saves a path to a .vid file. The file is replaced atomically; when the call returns
-/// V_OK, the new contents are on the disk. Symbolic links are followed and permissions
-/// kept.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO, V_ERR_MEMORY. If memory runs out while the file
-/// is opened or written, the program may end; the old file is kept.
+/// Saves a path to a .vid file, which is replaced atomically and is on the disk when
+/// the call returns V_OK. Symbolic links are followed and permissions kept.
+/// V_ERR_IO, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_save(path: *const V_PATH, file: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -205,11 +199,8 @@ pub unsafe extern "C" fn v_path_save(path: *const V_PATH, file: *const c_char) -
     })
 }
 
-/// Gets the text that v_path_save() would write and that v_path_load_from_memory()
-/// reads, zero-terminated. *length is its number of bytes without the zero. If capacity
-/// is not larger than *length, only *length is written and the call fails with
-/// V_ERR_SIZE; with text NULL and capacity 0, only *length is written.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// Gets the text that v_path_save() would write.
+/// V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_save_to_memory(
     path: *const V_PATH,

@@ -54,9 +54,7 @@ fn limits(given: &V_LIMITS) -> Answer<Limits> {
 /// ==== Planning ====
 ///
 /// Fills in the defaults of v_path_check(): acceleration 10, turning 60,
-/// turning_acceleration 300, zoom 30, and no other limits. NULL only sets v_last_error().
-/// In C, a macro of this name passes the struct's size to v_limits_init_sized(). The
-/// function itself, for other languages, fills in the struct of version 1.0.
+/// turning_acceleration 300, zoom 30; no other limits.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_limits_init(limits: *mut V_LIMITS) {
     border((), || {
@@ -65,8 +63,7 @@ pub unsafe extern "C" fn v_limits_init(limits: *mut V_LIMITS) {
     });
 }
 
-/// Like v_limits_init(), for a struct of size bytes. It works as
-/// v_editor_options_init_sized().
+/// Like v_limits_init(), for a struct of size bytes.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_limits_init_sized(limits: *mut V_LIMITS, size: usize) {
     border((), || {
@@ -75,21 +72,19 @@ pub unsafe extern "C" fn v_limits_init_sized(limits: *mut V_LIMITS, size: usize)
     });
 }
 
-/// Recomputes the speed profile between the first orientation of one point and the last of
-/// another, as fast as the limits allow. The curve and the views do not change. The camera
-/// rests at the ends of an open path, at held keys, and where curve or view have a kink;
-/// v_last_warning() lists these. Other sections keep their speed profile. The sections get
-/// fixed frames, a distance curve and a curve time. Takes at most 40 rounds over the
-/// sections.
+/// Recomputes the speed profile between the first orientation of one point and the last
+/// of another, as fast as the limits allow, in at most 40 rounds over the sections.
+/// Curve and views do not change. The camera rests at the ends of an open path, at held
+/// keys, and where curve or view have a kink; v_last_warning() lists these. The
+/// sections get fixed frames, a distance curve and a curve time; others do not change.
 ///
-/// limits  see v_limits_init(); NULL: the path's own, see v_path_set_limit()
-/// first_point, last_point  with 0 and the last point: the whole path, if closed with the
-///     way back to the first point. On a closed path first_point may be after last_point
-/// seconds  0: as few as the limits allow; otherwise this duration, to a whole frame, with
-///     the lowest peaks. It counts the last frame of the path, too
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT (no limit, one that is not
-/// positive, too few seconds: v_last_error() names the least), V_ERR_RANGE,
-/// V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
+/// limits  NULL: the path's own, see v_path_set_limit()
+/// first_point, last_point  as for v_path_fit_frames()
+/// seconds  0: as few as the limits allow; otherwise this duration, to a whole frame,
+///     with the lowest peaks; the last frame of the path counts, too
+/// V_ERR_SIZE, V_ERR_ARGUMENT (no limit, one that is not positive, too few seconds:
+/// v_last_error() names the least), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY,
+/// V_ERR_REFUSED.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_retime(
     path: *mut V_PATH,
@@ -124,18 +119,17 @@ pub unsafe extern "C" fn v_path_retime(
     })
 }
 
-/// Stabilises a recorded flight: positions, views and zoom pass a low-pass filter without
-/// lag, at whole frames; v_path_fit_poses() then makes a path of few points and as many
-/// frames. The first and the last pose do not change. Names, targets and modes are
-/// discarded, and a closed path is open afterwards. v_last_warning() returns how far the
-/// path moved.
+/// Stabilises a recorded flight: positions, views and zoom pass a low-pass filter
+/// without lag, at whole frames; v_path_fit_poses() then makes a path of few points and
+/// as many frames. The first and the last pose do not change. Names, targets and modes
+/// are discarded; a closed path becomes open. v_last_warning() returns how far the path
+/// moved.
 ///
 /// seconds  cut-off period: motion of this period is halved, faster motion is removed;
 ///     > 0 and at most 2,000 frames
-/// within   maximum distance any position may move; 0: no limit
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (a path that does not move, no path within
-/// the limit), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED
-/// (v_set_progress()).
+/// within  maximum distance any position may move; 0: no limit
+/// V_ERR_ARGUMENT (a path that does not move, no path within the limit), V_ERR_RANGE,
+/// V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_steady(path: *mut V_PATH, seconds: f64, within: f64) -> c_int {
     clear_last_warning();
@@ -157,22 +151,22 @@ pub unsafe extern "C" fn v_path_steady(path: *mut V_PATH, seconds: f64, within: 
     })
 }
 
-/// Moves a path away from an object. Where the camera, or a sphere around it, comes nearer
-/// than the clearance or passes through the object, points move as little as possible and
-/// as few as possible are added. Points that were clear do not move, except within a closed
-/// part of the object between others outside. Frames and targets do not change.
-/// v_last_warning() returns a line for each changed part, or "".
+/// Moves a path away from an object. Where the camera, or a sphere around it, comes
+/// nearer than the clearance or passes through the object, points move as little as
+/// possible and as few as possible are added. Points that were clear do not move,
+/// except within a closed part of the object between others outside. Frames and targets
+/// do not change. v_last_warning() returns a line for each changed part, or "".
 ///
-/// Each part takes at most a few searches of a grid with 96 cells along its longest side.
-/// A distance query takes the logarithm of the number of triangles; if they overlap widely,
-/// up to that number.
+/// Each part takes at most a few searches of a grid with 96 cells along its longest
+/// side; a distance query, the logarithm of the number of triangles, up to that number
+/// if they overlap widely.
 ///
 /// object  in the coordinates of the path; NULL: the path's own
-/// clearance, radius  in the path's units; the clearance > 0, the radius of the sphere 0 or
+/// clearance, radius  in the path's units; clearance > 0, radius of the sphere 0 or
 ///     more
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT (no way round: v_last_error()
-/// names the frame and the place; an object without geometry), V_ERR_RANGE,
-/// V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
+/// V_ERR_SIZE, V_ERR_ARGUMENT (no way round: v_last_error() names the frame and the
+/// place; an object without geometry), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY,
+/// V_ERR_REFUSED.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_avoid(
     path: *mut V_PATH,
@@ -198,27 +192,25 @@ pub unsafe extern "C" fn v_path_avoid(
     })
 }
 
-/// By what v_path_keep_in_picture() keeps an object in the picture: the zoom, moving the
-/// camera along its view, turning the camera.
+/// How v_path_keep_in_picture() keeps an object in the picture: by the zoom, by moving
+/// the camera along its view, by turning it.
 pub const V_PICTURE_ZOOM: c_int = 0;
 pub const V_PICTURE_DISTANCE: c_int = 1;
 pub const V_PICTURE_VIEW: c_int = 2;
 
-/// Keeps an object whole in the picture less margin, at every frame and between. With zoom
-/// or distance the object is as large as the margin and the path's limits of zoom, or of
-/// speed and acceleration, allow (v_path_set_limit()); with the view the camera turns no
-/// more than necessary. Frames and speed profile do not change. Points are added where keys
-/// are not enough. If it is not possible, the path is unchanged. Takes 20 positions per
-/// frame, each tried at most 60 times.
+/// Keeps an object whole in the picture less margin, at every frame and between. With
+/// zoom or distance it is as large as the margin and the path's limits of zoom, or of
+/// speed and acceleration, allow; with the view the camera turns no more than
+/// necessary. Frames and speed profile do not change; points are added where keys are
+/// not enough. Takes 20 positions per frame, each tried at most 60 times.
 ///
 /// object  in the coordinates of the path; NULL: the path's own, with the objects of
 ///     its scene
 /// margin  the fraction of the picture's width and height (36 x 24 mm) to keep free on
 ///     each side, from 0 to below 0.5
-/// what  V_PICTURE_ZOOM, V_PICTURE_DISTANCE or V_PICTURE_VIEW
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no object, or it does not fit into the
-/// picture, with the frame), V_ERR_RANGE, V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY,
-/// V_ERR_REFUSED (v_set_progress()).
+/// what  V_PICTURE_...
+/// V_ERR_ARGUMENT (no object, or it does not fit into the picture, with the frame),
+/// V_ERR_RANGE, V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_keep_in_picture(
     path: *mut V_PATH,
@@ -265,10 +257,8 @@ unsafe impl Growing for V_TOUR {
     };
 }
 
-/// Fills in the default tour: 60 seconds, coverage 0.95, outside the object, at a distance
-/// that VIDES chooses, closed, V_UP_Y. NULL only sets v_last_error(). In C, a macro of this
-/// name passes the struct's size to v_tour_init_sized(). The function itself, for other
-/// languages, fills in the struct of version 1.0.
+/// Fills in the default tour: 60 seconds, coverage 0.95, outside the object, at a
+/// distance that VIDES chooses, closed, V_UP_Y.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_tour_init(tour: *mut V_TOUR) {
     border((), || {
@@ -277,8 +267,7 @@ pub unsafe extern "C" fn v_tour_init(tour: *mut V_TOUR) {
     });
 }
 
-/// Like v_tour_init(), for a struct of size bytes. It works as
-/// v_editor_options_init_sized().
+/// Like v_tour_init(), for a struct of size bytes.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_tour_init_sized(tour: *mut V_TOUR, size: usize) {
     border((), || {
@@ -287,21 +276,21 @@ pub unsafe extern "C" fn v_tour_init_sized(tour: *mut V_TOUR, size: usize) {
     });
 }
 
-/// Plans a flight that shows an object: the fewest positions from which the wanted fraction
-/// of its surface is seen, a short path through them that keeps clear of it, and a speed
-/// profile within the limits of v_path_check(), at 25 frames per second.
+/// Plans a flight that shows an object: the fewest positions from which the wanted
+/// fraction of its surface is seen, a short path through them that keeps clear of it,
+/// and a speed profile within the limits of v_path_check(), at 25 frames per second.
+/// Takes the time of about 300 pictures, some seconds for a million triangles, and
+/// about 300 bytes per triangle.
 ///
-/// object  its triangles count. From outside, only the side that the normals point to is
-///     to be seen where neighbouring triangles agree about it, otherwise either side
-/// tour  NULL: the defaults of v_tour_init()
+/// object  its triangles count. From outside, only the side of the normals is to be
+///     seen where neighbouring triangles agree about it, otherwise either side
+/// tour  NULL: that of v_tour_init()
 /// coverage  the fraction shown of what can be seen; may be NULL
-/// v_last_warning() then returns two lines: positions, coverage, length and seconds; and
+/// v_last_warning() returns two lines: positions, coverage, length and seconds; and
 /// what remains unseen, and why.
-/// Free *path with v_path_free(). Takes the time of about 300 pictures, some seconds for a
-/// million triangles, and about 300 bytes per triangle.
-/// V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT (no surface, no free place, too few seconds:
+/// V_ERR_SIZE, V_ERR_ARGUMENT (no surface, no free place, too few seconds:
 /// v_last_error() names the least), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY,
-/// V_ERR_REFUSED (v_set_progress()).
+/// V_ERR_REFUSED.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_tour(
     object: *const V_MESH,

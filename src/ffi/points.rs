@@ -27,9 +27,7 @@ pub(super) fn point<'a>(
 
 /// ==== Points ====
 ///
-/// Gets the number of points of a path, at least 2. They count from 0. (The thesis
-/// calls them support points.)
-/// V_ERR_NULL, V_ERR_HANDLE.
+/// Gets the number of points, at least 2.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_point_count(path: *const V_PATH, count: *mut c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -40,11 +38,11 @@ pub unsafe extern "C" fn v_path_point_count(path: *const V_PATH, count: *mut c_i
     })
 }
 
-/// Inserts a point before the one at index at; if at is their number, appends it. The
-/// new point copies all other properties from the point before it, or from the point
-/// after it if at is 0; an absolute target equal to the new position becomes relative.
-/// Coordinates are finite and at most 1e9 times half_size from the centre of the space.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// Inserts a point before index at; if at is their number, appends it. It copies all
+/// other properties from the point before it, or from the one after it if at is 0; an
+/// absolute target equal to its position becomes relative. Coordinates are at most 1e9
+/// times half_size from the centre of the space.
+/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 /// cbindgen:ptrs-as-arrays=[[xyz; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_insert_point(
@@ -60,11 +58,10 @@ pub unsafe extern "C" fn v_path_insert_point(
     })
 }
 
-/// Divides a segment with 1 to 10 new points on its curve, at equal arc lengths. As in
-/// 1994, the new points copy all other properties from the point before them, so the
-/// motion changes. To keep the motion, use v_path_insert_on_curve(), as the window's
-/// Pos.++ does at the nearest whole frames.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// Divides a segment with 1 to 10 points on its curve, at equal arc lengths. They copy
+/// all other properties from the point before them, so the motion changes;
+/// v_path_insert_on_curve() keeps it.
+/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_divide_segment(
     path: *mut V_PATH,
@@ -78,7 +75,7 @@ pub unsafe extern "C" fn v_path_divide_segment(
 }
 
 /// Removes a point. The last two cannot be removed.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+/// V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_remove_point(path: *mut V_PATH, at: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -91,10 +88,9 @@ pub unsafe extern "C" fn v_path_remove_point(path: *mut V_PATH, at: c_int) -> c_
     })
 }
 
-/// Moves a point. Absolute targets stay in place; relative ones move with it. The
-/// position must not equal an absolute target of the point. Coordinates are limited as
-/// in v_path_insert_point().
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE.
+/// Moves a point, with its relative targets. Absolute ones stay in place and must not
+/// equal the position. Coordinates as in v_path_insert_point().
+/// V_ERR_ARGUMENT, V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[xyz; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_position(
@@ -111,7 +107,7 @@ pub unsafe extern "C" fn v_path_set_position(
 }
 
 /// Gets the position of a point.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+/// V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[xyz; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_position(
@@ -127,9 +123,8 @@ pub unsafe extern "C" fn v_path_get_position(
     })
 }
 
-/// Moves a point with all its properties to another index; the points between shift by
-/// one.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
+/// Moves a point to another index; the points between shift by one.
+/// V_ERR_RANGE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_move_point(path: *mut V_PATH, from: c_int, to: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -138,8 +133,8 @@ pub unsafe extern "C" fn v_path_move_point(path: *mut V_PATH, from: c_int, to: c
     })
 }
 
-/// Sets the name of a point: UTF-8, one line of at most 256 bytes; "" removes it.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// Sets the name of a point: one line of at most 256 bytes; "" removes it.
+/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_point_name(
     path: *mut V_PATH,
@@ -157,9 +152,8 @@ pub unsafe extern "C" fn v_path_set_point_name(
     })
 }
 
-/// Gets the name of a point, "" if it has none. The buffer works as in
-/// v_path_get_title().
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_SIZE.
+/// Gets the name of a point, "" if it has none.
+/// V_ERR_RANGE, V_ERR_SIZE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_point_name(
     path: *const V_PATH,
@@ -182,7 +176,7 @@ pub unsafe extern "C" fn v_path_get_point_name(
 ///
 /// Sets the tension, continuity and bias of a point, each from -1 to 1 (Kochanek and
 /// Bartels 1984), instead of a preset.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+/// V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_tcb(
     path: *mut V_PATH,
@@ -198,7 +192,7 @@ pub unsafe extern "C" fn v_path_set_tcb(
 }
 
 /// Makes a point use one of the path's presets, 0 to 9.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+/// V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_use_preset(path: *mut V_PATH, at: c_int, preset: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -210,9 +204,9 @@ pub unsafe extern "C" fn v_path_use_preset(path: *mut V_PATH, at: c_int, preset:
     })
 }
 
-/// Gets the tension, continuity and bias in effect at a point, and the preset that it
-/// uses, or -1 if it has its own values. Any result may be NULL.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+/// Gets the tension, continuity and bias in effect at a point, and its preset, or -1 if
+/// it has its own values.
+/// V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[tcb; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_tcb(
@@ -243,9 +237,9 @@ pub unsafe extern "C" fn v_path_get_tcb(
     })
 }
 
-/// Sets one of the path's ten presets, 0 to 9, which changes every point that uses it.
-/// Each value is from -1 to 1.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+/// Sets one of the path's ten presets, 0 to 9, for every point that uses it. Each value
+/// is from -1 to 1.
+/// V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_preset(
     path: *mut V_PATH,
@@ -268,7 +262,7 @@ pub unsafe extern "C" fn v_path_set_preset(
 }
 
 /// Gets the tension, continuity and bias of a preset, 0 to 9.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+/// V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[tcb; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_preset(

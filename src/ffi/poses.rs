@@ -15,10 +15,9 @@ use crate::path::Pose;
 
 /// ==== Sections and poses ====
 ///
-/// Gets the number of sections of a path. A section leads from one orientation to the next,
-/// at the same point or at the next one. Sections count from 0, in the order in which the
-/// camera takes them.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_MEMORY.
+/// Gets the number of sections. A section leads from one orientation to the next, at
+/// the same point or at the next one, in the order in which the camera takes them.
+/// V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_section_count(path: *const V_PATH, count: *mut c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -32,10 +31,9 @@ pub unsafe extern "C" fn v_path_section_count(path: *const V_PATH, count: *mut c
     })
 }
 
-/// Gets the point and the orientation with which a section begins, its first frame, and its
-/// number of frames, which is 0 if nothing changes in it. Frames of a hold at its end do
-/// not count. Any result may be NULL.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// Gets the point and orientation with which a section begins, its first frame, and its
+/// number of frames without a hold at its end; 0 if nothing changes in it.
+/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_section_info(
     path: *const V_PATH,
@@ -78,8 +76,8 @@ pub unsafe extern "C" fn v_path_section_info(
     })
 }
 
-/// Gets the number of frames of a path, at least 1. They count from 1.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// Gets the number of frames, at least 1.
+/// V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_frame_count(path: *const V_PATH, frames: *mut usize) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -92,10 +90,8 @@ pub unsafe extern "C" fn v_path_frame_count(path: *const V_PATH, frames: *mut us
     })
 }
 
-/// Writes all poses of a path to your array of capacity elements, and their number to
-/// *count. If capacity is too small, only *count is written and the call fails with
-/// V_ERR_SIZE; with poses NULL and capacity 0, only *count is written.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// Writes all poses to your array.
+/// V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_sample(
     path: *const V_PATH,
@@ -120,10 +116,8 @@ pub unsafe extern "C" fn v_path_sample(
     })
 }
 
-/// Writes count poses, beginning with frame first, to your array. They equal those of
-/// v_path_sample(). Use it to take a long path in pieces.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE (first is 0, or there are fewer poses),
-/// V_ERR_LIMIT, V_ERR_MEMORY.
+/// Writes count poses of v_path_sample(), from frame first on, to your array.
+/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_sample_range(
     path: *const V_PATH,
@@ -153,9 +147,9 @@ pub unsafe extern "C" fn v_path_sample_range(
     })
 }
 
-/// Gets the pose at a frame, from 1 to v_path_frame_count(), also between two frames
-/// (1.5). At a whole frame it equals that of v_path_sample() bit for bit.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// Gets the pose at a frame. At a whole frame it equals that of v_path_sample() bit for
+/// bit.
+/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_pose(path: *const V_PATH, frame: f64, pose: *mut V_POSE) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -166,12 +160,9 @@ pub unsafe extern "C" fn v_path_pose(path: *const V_PATH, frame: f64, pose: *mut
     })
 }
 
-/// Gets the poses at count frames, as v_path_pose() does for one. Frames may have any
-/// order; ascending frames are fastest.
-///
-/// frames  each from 1 to v_path_frame_count()
-/// poses   space for count poses; must not overlap frames
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// Gets the poses at count frames, as v_path_pose() does, in any order; ascending ones
+/// are fastest. poses must not overlap frames.
+/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_poses_at(
     path: *const V_PATH,
@@ -208,13 +199,11 @@ pub(super) fn frame_of(given: f64, frames: usize, name: Name) -> Answer<f64> {
         .ok_or(failure)
 }
 
-/// Makes a list of all poses as in 1994, see V_KAMERAPAR: zooms are whole numbers, 100 for
-/// any larger zoom. first is your element and becomes the first; set its number before, to
-/// -1 if there is no data yet. A list that VIDES made there before is freed when the new
-/// one is complete; any other list is forgotten but not freed. If the call fails, the old
-/// list is unchanged.
-/// Any thread, if no other uses the list meanwhile; from callbacks too.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// Makes a list of all poses, see V_KAMERAPAR. first is your element; set its number
+/// before, to -1 if there is no data yet. A list that VIDES made there before is freed
+/// when the new one is complete, and unchanged if the call fails; any other is
+/// forgotten but not freed. No other thread may use the list meanwhile.
+/// V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_to_list(path: *const V_PATH, first: *mut V_KAMERAPAR) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -229,12 +218,10 @@ pub unsafe extern "C" fn v_path_to_list(path: *const V_PATH, first: *mut V_KAMER
     })
 }
 
-/// Writes all poses of a path to a text file, one line each: VRP, VPN, VUP (x, y and z
-/// each) and zoom, as C prints them by "%3.4f", separated by one space. The decimal sign is
-/// a point in every locale, and minus zero is written as zero. The file is replaced
-/// atomically.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO, V_ERR_LIMIT, V_ERR_MEMORY. If memory runs out
-/// while the file is opened or written, the program may end; the old file is unchanged.
+/// Writes all poses to a text file, replaced atomically, one line each: VRP, VPN, VUP
+/// (x, y and z each) and zoom, as C prints them by "%3.4f", separated by one space. The
+/// decimal sign is always a point; minus zero is written as zero.
+/// V_ERR_IO, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_write_ascii(path: *const V_PATH, file: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -248,9 +235,8 @@ pub unsafe extern "C" fn v_path_write_ascii(path: *const V_PATH, file: *const c_
     })
 }
 
-/// Writes the lines of v_path_write_ascii() to memory, zero-terminated. The buffer works
-/// as in v_path_get_title().
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// Gets the text that v_path_write_ascii() would write.
+/// V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_write_ascii_to_memory(
     path: *const V_PATH,

@@ -67,17 +67,15 @@ fn asked(share: f64) -> bool {
 
 /// ==== Progress ====
 ///
-/// Sets the function that reports the progress of the calling thread's long calls; NULL,
-/// the default: none. It is called at most ten times a second, and not in the first tenth.
-/// Long calls are v_path_fit_poses() and its variants, v_path_check(), v_path_retime(),
-/// v_path_steady(), v_path_avoid(), v_path_keep_in_picture() and v_path_tour(). With up to
-/// a million triangles they call it at least twice a second, except while they read the
-/// object at the start: about two seconds for a million.
+/// Sets the function that the calling thread's long calls (those with V_ERR_REFUSED,
+/// except v_editors_close()) call at most ten times a second, not in the first tenth;
+/// NULL, the default: none. With up to a million triangles they call it at least twice
+/// a second, except while they read the object: about two seconds for a million.
 ///
-/// progress  share is from 0 to 1, and may fall when another round begins. If it returns
-///     0, the call fails with V_ERR_REFUSED and changes nothing. It may call any function;
-///     a path in use, such as that of the call, returns V_ERR_BUSY. No exception or
-///     longjmp() may leave it
+/// progress  share is from 0 to 1, and may fall when another round begins. If it
+///     returns 0, the call fails with V_ERR_REFUSED and changes nothing. In it, a path
+///     in use, such as that of the call, is V_ERR_BUSY. No exception or longjmp() may
+///     leave it
 /// user  your pointer, passed to progress
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_set_progress(

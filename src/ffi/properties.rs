@@ -10,16 +10,15 @@ use super::types::V_PATH;
 
 /// ==== Properties by name ====
 ///
-/// Sets a property of a path by its name, like `vides set`, atomically and in one step.
+/// Sets a property of a path by its name, like `vides set`, atomically.
 ///
-/// name   a key of .vid files (docs/files.md), with points and orientations counted
-///     from 1: "closed", "fps", "point.2.position", "point.2.zoom" (of its first
-///     orientation), "point.2.view.3.zoom" and so on
+/// name  a key of .vid files (docs/files.md), points and orientations counted from 1:
+///     "closed", "point.2.position", "point.2.zoom" (of its first orientation),
+///     "point.2.view.3.zoom" and so on
 /// value  as in the file: "30" or "[0, 1, 2]". Text needs no quotes; "" restores the
 ///     value of a new path
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE (no such property, point or orientation),
-/// V_ERR_ARGUMENT (not a value for it; the message names it), V_ERR_LIMIT,
-/// V_ERR_MEMORY. If memory runs out while the value itself is parsed, the program ends.
+/// V_ERR_RANGE (no such property), V_ERR_ARGUMENT (not a value for it), V_ERR_LIMIT,
+/// V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_property(
     path: *mut V_PATH,
@@ -34,10 +33,8 @@ pub unsafe extern "C" fn v_path_set_property(
     })
 }
 
-/// Gets the value of a property as written in a .vid file, "" if it has none; see
-/// v_path_set_property(). The buffer works as in v_path_get_title().
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE (no such
-/// property), V_ERR_MEMORY.
+/// Gets the value of a property as in a .vid file, "" if it has none.
+/// V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE (no such property), V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_property(
     path: *const V_PATH,

@@ -164,10 +164,9 @@ fn node_for_c(node: &Node, number: impl Fn(usize) -> Option<usize>) -> Answer<V_
 
 /// ==== Scenes: made, loaded, saved, freed ====
 ///
-/// Fills in a node of this kind at the origin: size, visible, scale 1, rotation 1 0 0
-/// 0, no parent, no aim, zoom 24, white, intensity 1, a cone of 20 and 30 degrees,
-/// planes at 0.01 and 1000. An unknown kind is refused only where the node is used.
-/// NULL only sets v_last_error().
+/// Fills in a node of this kind at the origin: visible, scale 1, rotation 1 0 0 0, no
+/// parent, no aim, zoom 24, white, intensity 1, a cone of 20 and 30 degrees, planes at
+/// 0.01 and 1000. An unknown kind is refused only where the node is used.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_node_init(node: *mut V_NODE, kind: c_int) {
     border((), || {
@@ -181,10 +180,9 @@ pub unsafe extern "C" fn v_node_init(node: *mut V_NODE, kind: c_int) {
 }
 
 /// Makes a new scene: one camera, "camera", on the path of v_path_new(), starting at
-/// frame 1. Free *scene with v_scene_free(). For a scene in a space of your world, call
-/// v_scene_set_space(), then v_scene_set_path() for node 0 with a path of
-/// v_path_new_in_space().
-/// V_ERR_NULL, V_ERR_MEMORY, V_ERR_LIMIT.
+/// frame 1. For a space of your world, call v_scene_set_space(), then
+/// v_scene_set_path() for node 0 with a path of v_path_new_in_space().
+/// V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_new(scene: *mut *mut V_SCENE) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -195,16 +193,13 @@ pub unsafe extern "C" fn v_scene_new(scene: *mut *mut V_SCENE) -> c_int {
     })
 }
 
-/// Reads a scene from a .vid file; a file with only a path gives a camera on it. file
-/// is a name as for open(). Free *scene with v_scene_free().
+/// Reads a scene from a .vid file; one with only a path gives a camera on it.
 ///
 /// An object is left empty if its mesh is in a separate file that is missing or
-/// malformed, or outside the folder of the .vid file once links are followed; a mesh
-/// file that has changed is read as it is. In these cases the call still returns V_OK,
-/// and v_last_warning() reports them; "" if all meshes are unchanged.
-/// v_scene_load_geometry() reads a mesh from anywhere.
-/// V_ERR_NULL, V_ERR_IO, V_ERR_FORMAT (with line and reason in v_last_error()),
-/// V_ERR_MEMORY (but see v_path_load()), V_ERR_LIMIT.
+/// malformed, or outside the folder of the .vid file once links are followed
+/// (v_scene_load_geometry() reads it from anywhere); a mesh file that has changed is
+/// read as it is. v_last_warning() reports this, or returns "".
+/// V_ERR_IO, V_ERR_FORMAT, V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_load(file: *const c_char, scene: *mut *mut V_SCENE) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -216,11 +211,10 @@ pub unsafe extern "C" fn v_scene_load(file: *const c_char, scene: *mut *mut V_SC
     })
 }
 
-/// Reads a scene from the text of a .vid file in memory, like v_scene_load(). text has
-/// size bytes of UTF-8 and need not be zero-terminated. Mesh files with relative names
-/// are looked up in the current directory. Free *scene with v_scene_free().
-/// V_ERR_NULL, V_ERR_FORMAT (with line and reason in v_last_error()), V_ERR_MEMORY (but
-/// see v_path_load()), V_ERR_LIMIT.
+/// Like v_scene_load(), from the text of a .vid file: size bytes, which need not be
+/// zero-terminated. Relative names of mesh files are looked up in the current
+/// directory.
+/// V_ERR_FORMAT, V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_load_from_memory(
     text: *const c_char,
@@ -247,9 +241,8 @@ fn insert_loaded(document: SceneDocument) -> Answer<*mut V_SCENE> {
     insert(document)
 }
 
-/// Gets the text of the .vid file of a scene, like v_path_save_to_memory(). The names
-/// of mesh files are unchanged.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_BUSY, V_ERR_LIMIT, V_ERR_MEMORY.
+/// Gets the text of the .vid file of a scene. The names of mesh files are unchanged.
+/// V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_save_to_memory(
     scene: *const V_SCENE,
@@ -265,9 +258,8 @@ pub unsafe extern "C" fn v_scene_save_to_memory(
     })
 }
 
-/// Saves a scene to a .vid file, atomically like v_path_save().
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO, V_ERR_BUSY, V_ERR_LIMIT, V_ERR_MEMORY (but see
-/// v_path_save()).
+/// Saves a scene, like v_path_save().
+/// V_ERR_IO, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_save(scene: *const V_SCENE, file: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -279,8 +271,8 @@ pub unsafe extern "C" fn v_scene_save(scene: *const V_SCENE, file: *const c_char
 }
 
 /// Makes an independent copy of a scene. Both share geometry until one of them changes
-/// it. Free *copy with v_scene_free().
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY, V_ERR_MEMORY, V_ERR_LIMIT.
+/// it.
+/// V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_clone(scene: *const V_SCENE, copy: *mut *mut V_SCENE) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -291,7 +283,7 @@ pub unsafe extern "C" fn v_scene_clone(scene: *const V_SCENE, copy: *mut *mut V_
     })
 }
 
-/// Frees a scene, like v_path_free(). NULL is ignored.
+/// Frees a scene, like v_path_free().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_free(scene: *mut V_SCENE) {
     border((), || {
@@ -304,8 +296,7 @@ pub unsafe extern "C" fn v_scene_free(scene: *mut V_SCENE) {
 
 /// ==== Nodes ====
 ///
-/// Gets the number of nodes in a scene.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
+/// Gets the number of nodes.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_node_count(scene: *const V_SCENE, count: *mut c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -317,9 +308,8 @@ pub unsafe extern "C" fn v_scene_node_count(scene: *const V_SCENE, count: *mut c
 }
 
 /// Adds a node after the others. *node receives its number; it may be NULL. name is
-/// unique in its scene: UTF-8, one line, not empty.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT,
-/// V_ERR_BUSY, V_ERR_MEMORY.
+/// unique in its scene, one line, not empty.
+/// V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_add_node(
     scene: *mut V_SCENE,
@@ -347,10 +337,9 @@ pub(super) fn copied_name(text: &str) -> Answer<String> {
 }
 
 /// Removes a node with all its descendants. The numbers of later nodes decrease; nodes
-/// that aimed at a removed one no longer aim. Removing many nodes in a row costs no
-/// more than removing one; you may read the number of nodes, names and nodes in
-/// between.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY, V_ERR_MEMORY.
+/// that aimed at a removed one no longer aim. Removing many in a row costs as much as
+/// one, even if you read nodes, their names and number in between.
+/// V_ERR_RANGE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_remove_node(scene: *mut V_SCENE, node: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -360,7 +349,7 @@ pub unsafe extern "C" fn v_scene_remove_node(scene: *mut V_SCENE, node: c_int) -
 }
 
 /// Gets the number of the node with this name.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no such node), V_ERR_BUSY.
+/// V_ERR_ARGUMENT (no such node).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_find_node(
     scene: *const V_SCENE,
@@ -381,9 +370,8 @@ pub unsafe extern "C" fn v_scene_find_node(
     })
 }
 
-/// Gets the name of a node. The text belongs to the library and is valid until the same
-/// thread's next call of a function that returns a text of a scene.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
+/// Gets the name of a node.
+/// V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_name(
     scene: *const V_SCENE,
@@ -402,8 +390,7 @@ pub unsafe extern "C" fn v_scene_get_name(
 }
 
 /// Renames a node, see v_scene_add_node().
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
-/// V_ERR_MEMORY.
+/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_name(
     scene: *mut V_SCENE,
@@ -417,8 +404,8 @@ pub unsafe extern "C" fn v_scene_set_name(
     })
 }
 
-/// Gets a node at rest. Set values->size before.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_RANGE, V_ERR_BUSY.
+/// Gets a node at rest.
+/// V_ERR_SIZE, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_node(
     scene: *const V_SCENE,
@@ -441,11 +428,11 @@ pub unsafe extern "C" fn v_scene_get_node(
 }
 
 /// Sets the values of a node; its kind does not change. If the parent changes,
-/// position, rotation and scale are read relative to the old parent and converted, so
-/// that the node keeps its place in the world at the scene's first frame. A node that
-/// moves can only change to a parent in the same place as the old one.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT (such as a cycle), V_ERR_RANGE,
-/// V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+/// position, rotation and scale are relative to the old one: the node keeps its place
+/// in the world at the scene's first frame. A node that moves can only change to a
+/// parent in the same place as the old one.
+/// V_ERR_SIZE, V_ERR_ARGUMENT (such as a cycle), V_ERR_RANGE, V_ERR_LIMIT,
+/// V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_node(
     scene: *mut V_SCENE,
@@ -466,14 +453,12 @@ pub unsafe extern "C" fn v_scene_set_node(
 
 /// ==== What moves a node ====
 ///
-/// Makes a node follow a path, which is copied; NULL: no path. Pose n of the path is
-/// shown at the scene's frame start_frame + n - 1. A path moves position, rotation and
-/// zoom, in the parent's coordinates; a node with a track for one of them cannot have a
-/// path.
+/// Makes a node follow a path; NULL: none. Pose n is shown at the scene's frame
+/// start_frame + n - 1. The path moves position, rotation and zoom in the parent's
+/// coordinates; a node with a track for one of them cannot have a path.
 ///
-/// after  V_AFTER_HOLD, V_AFTER_REPEAT or V_AFTER_PINGPONG; applies before the path too
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
-/// V_ERR_MEMORY.
+/// after  V_AFTER_HOLD, V_AFTER_REPEAT or V_AFTER_PINGPONG; before the path, too
+/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_path(
     scene: *mut V_SCENE,
@@ -492,9 +477,8 @@ pub unsafe extern "C" fn v_scene_set_path(
     })
 }
 
-/// Gets a copy of the path that a node follows. Free *path with v_path_free().
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (it follows none), V_ERR_RANGE,
-/// V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+/// Gets a copy of the path that a node follows.
+/// V_ERR_ARGUMENT (it follows none), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_path(
     scene: *const V_SCENE,
@@ -515,10 +499,8 @@ pub unsafe extern "C" fn v_scene_get_path(
     })
 }
 
-/// Sets a marker at a frame, or moves the marker of this name (UTF-8, one line, not
-/// empty).
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
-/// V_ERR_MEMORY.
+/// Sets a marker at a frame, or moves the one of this name (one line, not empty).
+/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_marker(
     scene: *mut V_SCENE,
@@ -534,8 +516,7 @@ pub unsafe extern "C" fn v_scene_set_marker(
 
 /// Pins a point of a node's path to a marker; NULL removes the pin. Pins hold when the
 /// path changes, and are saved.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
-/// V_ERR_MEMORY.
+/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_pin(
     scene: *mut V_SCENE,

@@ -39,9 +39,8 @@ unsafe fn answer_count(
 
 /// ==== What has been set in a scene ====
 ///
-/// Gets the frame at which a node's path starts, and how it continues before and after,
-/// see v_scene_set_path(). Any result may be NULL.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (it follows none), V_ERR_RANGE, V_ERR_BUSY.
+/// Gets start_frame and after of a node's path, see v_scene_set_path().
+/// V_ERR_ARGUMENT (it follows none), V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_start(
     scene: *const V_SCENE,
@@ -70,7 +69,7 @@ pub unsafe extern "C" fn v_scene_get_start(
 }
 
 /// Gets the number of tracks of a node.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
+/// V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_track_count(
     scene: *const V_SCENE,
@@ -88,9 +87,8 @@ pub unsafe extern "C" fn v_scene_track_count(
     })
 }
 
-/// Gets the channel of a node's track, for v_scene_get_track(); at counts from 0. The
-/// text is valid as for v_scene_get_name().
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
+/// Gets the channel of a node's track, for v_scene_get_track().
+/// V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_channel(
     scene: *const V_SCENE,
@@ -113,8 +111,7 @@ pub unsafe extern "C" fn v_scene_get_channel(
     })
 }
 
-/// Gets the number of markers in a scene.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
+/// Gets the number of markers.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_marker_count(scene: *const V_SCENE, count: *mut c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -123,9 +120,8 @@ pub unsafe extern "C" fn v_scene_marker_count(scene: *const V_SCENE, count: *mut
     })
 }
 
-/// Gets a marker; markers are sorted by name and count from 0. Any result may be NULL;
-/// the text is valid as for v_scene_get_name().
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
+/// Gets a marker; they are sorted by name.
+/// V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_marker(
     scene: *const V_SCENE,
@@ -148,7 +144,7 @@ pub unsafe extern "C" fn v_scene_get_marker(
 }
 
 /// Removes a marker and its pins.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no such marker), V_ERR_BUSY.
+/// V_ERR_ARGUMENT (no such marker).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_remove_marker(scene: *mut V_SCENE, name: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -165,7 +161,6 @@ pub unsafe extern "C" fn v_scene_remove_marker(scene: *mut V_SCENE, name: *const
 }
 
 /// Gets the number of points that are pinned to markers.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_pin_count(scene: *const V_SCENE, count: *mut c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -174,9 +169,8 @@ pub unsafe extern "C" fn v_scene_pin_count(scene: *const V_SCENE, count: *mut c_
     })
 }
 
-/// Gets a pin as set by v_scene_pin(); pins are sorted by node and point and count from
-/// 0. Any result may be NULL; the text is valid as for v_scene_get_name().
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
+/// Gets a pin of v_scene_pin(); they are sorted by node and point.
+/// V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_pin(
     scene: *const V_SCENE,
@@ -201,11 +195,9 @@ pub unsafe extern "C" fn v_scene_get_pin(
     })
 }
 
-/// Gets the geometry of an object at rest, as set or read from a file; 0 points if it
-/// has none. The arrays belong to the library and are valid until the scene is changed
-/// or freed. Set mesh->size before.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT (no object), V_ERR_RANGE,
-/// V_ERR_BUSY.
+/// Gets the geometry of an object at rest; 0 points if it has none. The arrays are
+/// valid until the scene is changed or freed.
+/// V_ERR_SIZE, V_ERR_ARGUMENT (no object), V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_geometry(
     scene: *const V_SCENE,
@@ -225,7 +217,7 @@ pub unsafe extern "C" fn v_scene_get_geometry(
 }
 
 /// Gets the number of shapes of an object.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no object), V_ERR_RANGE, V_ERR_BUSY.
+/// V_ERR_ARGUMENT (no object), V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_shape_count(
     scene: *const V_SCENE,
@@ -239,11 +231,9 @@ pub unsafe extern "C" fn v_scene_shape_count(
     })
 }
 
-/// Gets the name and the points of an object's shape; shapes count from 0. xyz receives
-/// three numbers per point; capacity and *points count points. Any result may be NULL;
-/// the text is valid as for v_scene_get_name().
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (more points than room; *points is written),
-/// V_ERR_ARGUMENT (no object), V_ERR_RANGE, V_ERR_BUSY.
+/// Gets the name and the points of an object's shape: three numbers per point; capacity
+/// and *points count points. Any result may be NULL.
+/// V_ERR_SIZE, V_ERR_ARGUMENT (no object), V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_shape(
     scene: *const V_SCENE,
@@ -274,10 +264,9 @@ pub unsafe extern "C" fn v_scene_get_shape(
     })
 }
 
-/// Removes a shape of an object. The numbers of later shapes decrease; all other shapes
-/// keep their weights, also in a track of the channel "weights".
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no object), V_ERR_RANGE, V_ERR_BUSY,
-/// V_ERR_MEMORY.
+/// Removes a shape of an object. The numbers of later shapes decrease; the others keep
+/// their weights, also in a track of the channel "weights".
+/// V_ERR_ARGUMENT (no object), V_ERR_RANGE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_remove_shape(
     scene: *mut V_SCENE,
@@ -291,7 +280,7 @@ pub unsafe extern "C" fn v_scene_remove_shape(
 }
 
 /// Gets the number of deformations of an object.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no object), V_ERR_RANGE, V_ERR_BUSY.
+/// V_ERR_ARGUMENT (no object), V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_deformation_count(
     scene: *const V_SCENE,
@@ -309,13 +298,10 @@ pub unsafe extern "C" fn v_scene_deformation_count(
     })
 }
 
-/// Gets the kind, parameters and box of an object's deformation; deformations count
-/// from 0. *count receives the number of parameters. If the deformation uses the bounds
-/// of the geometry, box is 1 1 1 -1 -1 -1, which no other box is; give
-/// v_scene_add_deformation() NULL then. Any result may be NULL; the text is valid as
-/// for v_scene_get_name().
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (more parameters than room; *count is written),
-/// V_ERR_ARGUMENT (no object), V_ERR_RANGE, V_ERR_BUSY.
+/// Gets the kind, parameters and box of an object's deformation. A box of 1 1 1 -1 -1
+/// -1, which no other is, stands for the bounds of the geometry: give
+/// v_scene_add_deformation() NULL then. Any result may be NULL.
+/// V_ERR_SIZE, V_ERR_ARGUMENT (no object), V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[box; 6]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_deformation(

@@ -15,8 +15,8 @@ use crate::tools::check::FindingKind;
 
 /// ==== What a scene is called ====
 ///
-/// Sets the title of a scene, like v_path_set_title().
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+/// Sets the title, like v_path_set_title().
+/// V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_title(scene: *mut V_SCENE, title: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -25,8 +25,8 @@ pub unsafe extern "C" fn v_scene_set_title(scene: *mut V_SCENE, title: *const c_
     })
 }
 
-/// Gets the title of a scene, like v_path_get_title().
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_BUSY.
+/// Gets the title.
+/// V_ERR_SIZE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_title(
     scene: *const V_SCENE,
@@ -43,8 +43,8 @@ pub unsafe extern "C" fn v_scene_get_title(
     })
 }
 
-/// Sets the comment of a scene, like v_path_set_comment().
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+/// Sets the comment, like v_path_set_comment().
+/// V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_comment(scene: *mut V_SCENE, comment: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -53,8 +53,8 @@ pub unsafe extern "C" fn v_scene_set_comment(scene: *mut V_SCENE, comment: *cons
     })
 }
 
-/// Gets the comment of a scene, like v_path_get_comment().
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_BUSY.
+/// Gets the comment.
+/// V_ERR_SIZE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_comment(
     scene: *const V_SCENE,
@@ -71,16 +71,14 @@ pub unsafe extern "C" fn v_scene_get_comment(
     })
 }
 
-/// Sets the frame rate in frames per second, > 0 and at most 100000, by default 25.
-/// Positions at frames do not change.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
+/// Sets the frame rate, like v_path_set_fps(). Positions at frames do not change.
+/// V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_fps(scene: *mut V_SCENE, fps: f64) -> c_int {
     border(V_ERR_INTERNAL, || set_info(scene, "fps", fps))
 }
 
-/// Gets the frame rate in frames per second.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
+/// Gets the frame rate.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_fps(scene: *const V_SCENE, fps: *mut f64) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -91,9 +89,8 @@ pub unsafe extern "C" fn v_scene_get_fps(scene: *const V_SCENE, fps: *mut f64) -
     })
 }
 
-/// Sets the number shown to users for the scene's frame 1, by default 1. The functions
-/// of this library always use the scene's own frames.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
+/// Sets the number shown to users for frame 1, by default 1. This library always uses
+/// the scene's own frames.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_first_frame(scene: *mut V_SCENE, number: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -101,8 +98,7 @@ pub unsafe extern "C" fn v_scene_set_first_frame(scene: *mut V_SCENE, number: c_
     })
 }
 
-/// Gets the number shown to users for the scene's frame 1.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
+/// Gets the number shown to users for frame 1.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_first_frame(
     scene: *const V_SCENE,
@@ -116,8 +112,8 @@ pub unsafe extern "C" fn v_scene_get_first_frame(
     })
 }
 
-/// Sets the limit of a kind of finding, like v_path_set_limit().
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no such kind), V_ERR_RANGE, V_ERR_BUSY.
+/// Sets the limit of a finding, like v_path_set_limit().
+/// V_ERR_ARGUMENT (no such kind), V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_limit(
     scene: *mut V_SCENE,
@@ -134,8 +130,8 @@ pub unsafe extern "C" fn v_scene_set_limit(
     })
 }
 
-/// Gets the limit of a kind of finding, like v_path_get_limit().
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_BUSY.
+/// Gets the limit of a finding.
+/// V_ERR_ARGUMENT (no such kind).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_limit(
     scene: *const V_SCENE,
@@ -154,10 +150,9 @@ pub unsafe extern "C" fn v_scene_get_limit(
 
 /// ==== What is shown of a scene ====
 ///
-/// Sets the camera that is shown; -1: the first one on a path, or the first one if none
-/// is. The choice follows the node when numbers change, is removed with it, and is
-/// saved in the file.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no camera), V_ERR_RANGE, V_ERR_BUSY.
+/// Sets the camera that is shown; -1: the first one on a path, else the first one. The
+/// choice follows the node, is removed with it, and is saved.
+/// V_ERR_ARGUMENT (no camera), V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_camera(scene: *mut V_SCENE, node: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -166,8 +161,7 @@ pub unsafe extern "C" fn v_scene_set_camera(scene: *mut V_SCENE, node: c_int) ->
     })
 }
 
-/// Gets the camera that is shown; -1 if the scene has none.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
+/// Gets the camera that is shown; -1: none.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_camera(scene: *const V_SCENE, node: *mut c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -178,11 +172,9 @@ pub unsafe extern "C" fn v_scene_get_camera(scene: *const V_SCENE, node: *mut c_
     })
 }
 
-/// Sets the first and last frame of a scene; if first > last, they follow from all
-/// paths and keys. v_scene_frame_range() gets the range in effect. It is saved in the
-/// file.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (a number that is not finite), V_ERR_RANGE,
-/// V_ERR_LIMIT (more than 100000000 frames), V_ERR_BUSY.
+/// Sets the first and last frame; if first > last, they follow from all paths and keys.
+/// They are saved.
+/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT (more than 100000000 frames).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_range(scene: *mut V_SCENE, first: f64, last: f64) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -197,11 +189,10 @@ pub unsafe extern "C" fn v_scene_set_range(scene: *mut V_SCENE, first: f64, last
 
 /// Sets the parent of a node; -1: no parent.
 ///
-/// keep  V_KEEP_PLACE: it keeps its place in the world at the scene's first frame, as
-///     in v_scene_set_node(). V_KEEP_NUMBERS: its values, path and tracks are
-///     unchanged, and it moves with its new parent
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (such as a cycle), V_ERR_RANGE,
-/// V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+/// keep  V_KEEP_PLACE: its place in the world at the scene's first frame, as in
+///     v_scene_set_node(). V_KEEP_NUMBERS: its values, path and tracks; it moves with
+///     its new parent
+/// V_ERR_ARGUMENT (such as a cycle), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_parent(
     scene: *mut V_SCENE,

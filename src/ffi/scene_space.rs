@@ -8,11 +8,9 @@ use super::scene_types::V_SCENE;
 use super::space::{SpaceOut, space};
 use super::status::{V_ERR_INTERNAL, V_OK};
 
-/// Sets the space of a scene, like v_path_set_space(); up applies to nodes that aim at
-/// others. The values of its nodes do not change. A path in the scene has its own
-/// space.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY, V_ERR_ARGUMENT (a number that is not finite),
-/// V_ERR_RANGE.
+/// Sets the space, like v_path_set_space(); up applies to nodes that aim at others.
+/// Values of nodes do not change; a path in the scene has its own space.
+/// V_ERR_ARGUMENT, V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[centre; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_space(
@@ -32,8 +30,7 @@ pub unsafe extern "C" fn v_scene_set_space(
     })
 }
 
-/// Gets the space of a scene. Any result may be NULL.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
+/// Gets the space.
 /// cbindgen:ptrs-as-arrays=[[centre; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_space(

@@ -32,8 +32,8 @@ fn report(document: &SceneDocument, warnings: &Warnings) {
 /// ==== The scene at a frame ====
 ///
 /// Gets the first and last frame: those of v_scene_set_range(), otherwise those of all
-/// paths and keys; 1 and 1 if nothing moves. Any result may be NULL.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_BUSY.
+/// paths and keys; 1 and 1 if nothing moves.
+/// V_ERR_ARGUMENT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_frame_range(
     scene: *const V_SCENE,
@@ -52,15 +52,13 @@ pub unsafe extern "C" fn v_scene_frame_range(
     })
 }
 
-/// Gets the states of all nodes at a frame, in the order of their numbers. frame is any
-/// finite number. *count receives the number of nodes and may be NULL; states may be
-/// NULL to get only that.
+/// Gets the states of all nodes at any finite frame, in the order of their numbers. Any
+/// result may be NULL.
 ///
 /// If a "host:" interpolation is not registered, fails or returns a number that is not
-/// finite, its channel steps from key to key. The call then still returns V_OK, and
-/// v_last_warning() reports it; "" if there is nothing to report.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (fewer than the nodes; *count is written),
-/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+/// finite, its channel steps from key to key; v_last_warning() reports it, or returns
+/// "".
+/// V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_evaluate(
     scene: *const V_SCENE,
@@ -107,9 +105,8 @@ pub unsafe extern "C" fn v_scene_evaluate(
 }
 
 /// Gets count states of one node, at the frames first, first + frame_step and so on.
-/// "host:" interpolations are handled as in v_scene_evaluate().
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
-/// V_ERR_MEMORY.
+/// v_last_warning() as for v_scene_evaluate().
+/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_sample(
     scene: *const V_SCENE,
@@ -150,11 +147,9 @@ pub unsafe extern "C" fn v_scene_sample(
     })
 }
 
-/// Gets the value of a channel (see v_scene_set_track()) at a frame, with or without a
-/// track. *width receives the number of its components and may be NULL; values may be
-/// NULL to get only that. "host:" interpolations are handled as in v_scene_evaluate().
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (fewer than the channel has; *width is
-/// written), V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+/// Gets the value of a channel at a frame, with or without a track, and the number of
+/// its components. Any result may be NULL. v_last_warning() as for v_scene_evaluate().
+/// V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_value(
     scene: *const V_SCENE,
@@ -189,11 +184,9 @@ pub unsafe extern "C" fn v_scene_value(
 }
 
 /// Gets the points of an object at a frame, morphed and deformed, in the coordinates of
-/// the node. xyz receives three numbers per point; capacity and *points count points.
-/// *points may be NULL; xyz may be NULL to get only *points. "host:" interpolations are
-/// handled as in v_scene_evaluate().
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (more points than room; *points is written),
-/// V_ERR_ARGUMENT (no object), V_ERR_RANGE, V_ERR_BUSY, V_ERR_MEMORY.
+/// the node: three numbers per point; capacity and *points count points. Any result may
+/// be NULL. v_last_warning() as for v_scene_evaluate().
+/// V_ERR_SIZE, V_ERR_ARGUMENT (no object), V_ERR_RANGE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_vertices(
     scene: *const V_SCENE,

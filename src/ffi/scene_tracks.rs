@@ -65,23 +65,21 @@ fn width(scene: *const V_SCENE, node: usize, channel: &Channel, euler: bool) -> 
 /// Sets the keys of a channel, replacing older ones; 0 keys remove the track.
 ///
 /// channel  "position", "rotation" (w x y z), "scale", "visible" (0 or 1); for cameras
-///     "roll" (degrees) and, unless they follow a path, which has its own, "zoom" (mm,
-///     as in V_POSE); for lights "colour", "intensity", "cone"; for objects "colour",
-///     "weights" (one per shape) and "deformation.N.NAME" (N from 0; NAME as listed for
-///     v_deform()); for cameras and lights "aim_weight" (0 to 1); and "value:NAME" or
-///     "value:NAME:W", W numbers (1 to 16) for your own use
+///     "roll" (degrees) and, unless they follow a path, "zoom" (mm); for lights
+///     "colour", "intensity", "cone"; for objects "colour", "weights" (one per shape)
+///     and "deformation.N.NAME" (N from 0; NAME of v_deform()); for cameras and lights
+///     "aim_weight" (0 to 1); for your own use "value:NAME" or "value:NAME:W" with W
+///     numbers (1 to 16)
 /// interpolation  "step", "linear", "ramp", "sine", "parabolic", "catmull-rom",
 ///     "hermite", "tcb", "cubic" (not for rotations), "host:NAME"; for rotations also
-///     "euler-linear" and "euler-catmull-rom", with three numbers per key: yaw, pitch
-///     and roll in degrees. "visible" takes only "step"
+///     "euler-linear" and "euler-catmull-rom", with yaw, pitch and roll in degrees per
+///     key. "visible" takes only "step"
 /// frames  strictly increasing
 /// values  keys x width numbers, key by key
-/// shape   "hermite": the tangents before and after each key (2 x width, per frame);
+/// shape  "hermite": the tangents before and after each key (2 x width, per frame);
 ///     "tcb": tension, continuity and bias of each key; otherwise NULL
-/// after   how it continues after the last key, V_AFTER_..., optionally | V_BEFORE_...
-///     for before the first one
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
-/// V_ERR_MEMORY.
+/// after  V_AFTER_..., optionally | V_BEFORE_...
+/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_track(
     scene: *mut V_SCENE,
@@ -153,11 +151,8 @@ fn both(after: c_int) -> Answer<(Extrapolation, Extrapolation)> {
 }
 
 /// Gets the keys of a channel as set. *keys receives their number, 0 if there is no
-/// track (*interpolation is then ""). capacity is the number of keys that frames,
-/// values and shape have room for. Any result may be NULL; the text is valid as for
-/// v_scene_get_name().
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_SIZE (more
-/// keys than room), V_ERR_BUSY.
+/// track (*interpolation is then ""). capacity counts keys. Any result may be NULL.
+/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_SIZE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_track(
     scene: *const V_SCENE,
@@ -230,10 +225,10 @@ pub unsafe extern "C" fn v_scene_get_track(
     })
 }
 
-/// Computes the value of a channel at a frame between its first and last key. It is
-/// given the frames of the keys and their values, width numbers per key. It writes
-/// width numbers to value and returns V_OK; if it returns anything else, or writes a
-/// number that is not finite, the channel steps from key to key.
+/// Computes the value of a channel at a frame between its first and last key, from the
+/// frames and the values of the keys, width numbers each. It writes width numbers to
+/// value and returns V_OK; if it returns anything else, or writes a number that is not
+/// finite, the channel steps from key to key.
 pub type V_INTERPOLATE = Option<
     unsafe extern "C" fn(
         frames: *const f64,
@@ -287,10 +282,10 @@ impl Host {
 }
 
 /// Registers a function as the interpolation "host:NAME" for all scenes of the process,
-/// replacing an older one; NULL removes it. name is NAME, with or without "host:". The
-/// function is called on any thread that evaluates a scene. It must not use scenes
-/// itself, and must return to its caller: no longjmp() and no exception may leave it.
-/// V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_MEMORY.
+/// replacing an older one; NULL removes it. name is NAME, with or without "host:". Any
+/// thread that evaluates a scene calls it. It must not use scenes, and no longjmp() and
+/// no exception may leave it.
+/// V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_register_interpolation(
     name: *const c_char,
@@ -320,10 +315,9 @@ pub unsafe extern "C" fn v_register_interpolation(
 
 /// ==== Objects ====
 ///
-/// Sets the geometry of an object; the mesh is copied. If the object has shapes, the
-/// mesh must have as many points as they have.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT,
-/// V_ERR_BUSY, V_ERR_MEMORY.
+/// Sets the geometry of an object. If the object has shapes, the mesh must have as many
+/// points as they have.
+/// V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_geometry(
     scene: *mut V_SCENE,
@@ -338,12 +332,10 @@ pub unsafe extern "C" fn v_scene_set_geometry(
     })
 }
 
-/// Reads the geometry of an object from an OBJ, PLY, STL or glTF file, by the extension
-/// of its name. A saved .vid file then refers to that file instead of containing the
-/// points, by a relative name if the file is in the same folder or below;
-/// v_scene_load() reads it again.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO, V_ERR_FORMAT, V_ERR_ARGUMENT, V_ERR_RANGE,
-/// V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+/// Reads the geometry of an object from an OBJ, PLY, STL or glTF file, by its
+/// extension. A saved .vid file refers to that file instead of containing the points,
+/// by a relative name if it is in the same folder or below.
+/// V_ERR_IO, V_ERR_FORMAT, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_load_geometry(
     scene: *mut V_SCENE,
@@ -422,11 +414,10 @@ unsafe fn indices<const N: usize>(
     Ok(copy)
 }
 
-/// Adds a shape to an object: other positions for all its points. Its weight is 0 at
-/// first; the channel "weights" has one number per shape, and the mesh itself gets the
+/// Adds a shape to an object: other positions for all its points, with weight 0 at
+/// first. The channel "weights" has one number per shape; the mesh itself gets the
 /// remainder to 1.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
-/// V_ERR_MEMORY.
+/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_add_shape(
     scene: *mut V_SCENE,
@@ -477,8 +468,7 @@ pub(super) unsafe fn bounds(corners: *const f64) -> Answer<Bounds> {
 
 /// Adds a deformation (see v_deform()) to an object, after the others. *at receives its
 /// number and may be NULL. box NULL: the bounds of the geometry at rest.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
-/// V_ERR_MEMORY.
+/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 /// cbindgen:ptrs-as-arrays=[[box; 6]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_add_deformation(
@@ -507,7 +497,7 @@ pub unsafe extern "C" fn v_scene_add_deformation(
 
 /// Removes a deformation with its tracks. The numbers of later deformations decrease,
 /// in the names of channels too.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_BUSY, V_ERR_MEMORY.
+/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_remove_deformation(
     scene: *mut V_SCENE,
@@ -521,10 +511,9 @@ pub unsafe extern "C" fn v_scene_remove_deformation(
 }
 
 /// Deforms points in place. u, v, w run from -1 to 1 along the sides of the box (min x
-/// y z, max x y z); along a side of length 0 the coordinate is 0 and points do not
-/// move. Axes are 0, 1, 2. Angles are degrees in u, v, w: in a box that is not a cube,
-/// rotations are stretched with the box. The names in parentheses are those that tracks
-/// can animate, see v_scene_set_track().
+/// y z, max x y z); along a side of length 0 they are 0 and points do not move. Axes
+/// are 0, 1, 2. Angles are degrees in u, v, w: in a box that is not a cube, rotations
+/// are stretched with it. Tracks can animate the names in parentheses.
 ///
 /// "taper"      axis a (a): the other two times 1 + (a-1)(1-u^2)
 /// "taper"      axis r0 r1 (r0 r1): from r0 at one end to r1 at the other
@@ -536,7 +525,7 @@ pub unsafe extern "C" fn v_scene_remove_deformation(
 ///              the first index fastest; (-1, -1, -1), (-1/3, -1, -1) ... is the
 ///              identity. Points outside the box do not move
 ///
-/// V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 /// cbindgen:ptrs-as-arrays=[[box; 6]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_deform(

@@ -15,11 +15,11 @@ pub struct v_scene {
 
 /// ==== Scenes ====
 ///
-/// A handle for a scene (see V_PATH): a tree of nodes that move on one timeline. Free
-/// it with v_scene_free(). Nodes are numbered from 0.
+/// A handle for a scene (see V_PATH): a tree of nodes that move on one timeline.
 ///
 /// Inside a function given to v_register_interpolation(), functions that take a V_SCENE
-/// fail with V_ERR_BUSY, except v_scene_free().
+/// fail with V_ERR_BUSY, except v_scene_free(). A text that they return is valid until
+/// the same thread's next call that returns one.
 pub type V_SCENE = v_scene;
 
 /// ==== Kinds of nodes, and how motions go on ====
@@ -43,7 +43,7 @@ pub const V_LIGHT_SPOT: c_int = 2;
 /// V_AFTER_PINGPONG  goes back and forth
 /// V_AFTER_OFFSET    starts over from where it ended
 ///
-/// A path continues in the same way before its start. A track holds its first value
+/// Before its start a path continues in the same way. A track holds its first value
 /// there, unless you add one of V_BEFORE_...: V_AFTER_REPEAT | V_BEFORE_PINGPONG.
 pub const V_AFTER_HOLD: c_int = 0;
 pub const V_AFTER_REPEAT: c_int = 1;
@@ -53,22 +53,19 @@ pub const V_BEFORE_REPEAT: c_int = 16;
 pub const V_BEFORE_PINGPONG: c_int = 32;
 pub const V_BEFORE_OFFSET: c_int = 48;
 
-/// What a node keeps when its parent changes, see v_scene_set_parent().
+/// What a node keeps when its parent changes.
 pub const V_KEEP_PLACE: c_int = 0;
 pub const V_KEEP_NUMBERS: c_int = 1;
 
-/// A node at rest. Its local matrix is T(position) T(pivot) R S T(-pivot); its world
-/// matrix is that of its parent times the local one. Lights and cameras look along
-/// their own +z axis with +y up and have pivot 0. Values that a kind of node does not
-/// have are ignored.
-///
-/// Set size before any call, see V_ORIENTATION; v_node_init() does it.
+/// A node at rest. Its local matrix is T(position) T(pivot) R S T(-pivot), its world
+/// matrix its parent's times the local one. Lights and cameras look along their own +z
+/// axis with +y up and have pivot 0. Values that a kind of node does not have are
+/// ignored.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct v_node {
-    /// sizeof (V_NODE)
     pub size: usize,
-    /// V_NODE_GROUP, V_NODE_OBJECT, V_NODE_LIGHT or V_NODE_CAMERA
+    /// V_NODE_...
     pub kind: c_int,
     /// parent node; -1: none
     pub parent: c_int,
@@ -76,7 +73,7 @@ pub struct v_node {
     pub visible: c_int,
     /// lights and cameras: the node at whose pivot it looks; -1: none
     pub aim: c_int,
-    /// the point that the node turns and scales about
+    /// what the node turns and scales about
     pub pivot: [f64; 3],
     pub position: [f64; 3],
     /// w x y z, of any length but 0
@@ -84,9 +81,9 @@ pub struct v_node {
     pub scale: [f64; 3],
     /// cameras: 1 to 2000, see V_POSE
     pub zoom: f64,
-    /// cameras: degrees, turns the up vector about the view direction
+    /// cameras: degrees, turns up about the view
     pub roll: f64,
-    /// lights: V_LIGHT_DIRECTIONAL, V_LIGHT_POINT or V_LIGHT_SPOT
+    /// lights: V_LIGHT_...
     pub light: c_int,
     /// lights and objects: linear red, green, blue, each 0 or more
     pub colour: [f64; 3],
@@ -122,14 +119,11 @@ pub struct v_node_state {
 
 pub type V_NODE_STATE = v_node_state;
 
-/// A mesh: points, and the lines and triangles that connect them. Without lines and
-/// triangles only the points are shown.
-///
-/// Set size before any call, see V_ORIENTATION.
+/// A mesh: points, and the lines and triangles that connect them; without either, only
+/// the points are shown.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct v_mesh {
-    /// sizeof (V_MESH)
     pub size: usize,
     /// three numbers per point
     pub xyz: *const f64,

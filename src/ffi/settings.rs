@@ -68,15 +68,14 @@ pub(super) unsafe fn comment_of(comment: *const c_char) -> Answer<String> {
 
 /// ==== What holds for the whole path ====
 ///
-/// Sets the base speeds of a path: the number of frames that each movement takes at
-/// speed 50, finite and > 0, so that a larger value is slower. v_haupt() calls them
-/// speeds.
+/// Sets the base speeds: the frames that each movement takes at speed 50, finite and >
+/// 0; larger is slower.
 ///
 /// move_frames  moving by half_size (v_path_set_space())
 /// turn_frames  turning by 180 degrees
 /// zoom_frames  zooming from 1 to 100
 /// roll_frames  rolling by 90 degrees
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT.
+/// V_ERR_ARGUMENT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_base_frames(
     path: *mut V_PATH,
@@ -100,8 +99,7 @@ pub unsafe extern "C" fn v_path_set_base_frames(
     })
 }
 
-/// Gets the base speeds, see v_path_set_base_frames(). Any result may be NULL.
-/// V_ERR_NULL, V_ERR_HANDLE.
+/// Gets the base speeds.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_base_frames(
     path: *const V_PATH,
@@ -133,7 +131,6 @@ pub unsafe extern "C" fn v_path_get_base_frames(
 
 /// Closes a path with one more segment from the last point to the first (not 0), or
 /// opens it (0).
-/// V_ERR_NULL, V_ERR_HANDLE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_closed(path: *mut V_PATH, closed: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -142,7 +139,6 @@ pub unsafe extern "C" fn v_path_set_closed(path: *mut V_PATH, closed: c_int) -> 
 }
 
 /// Gets whether a path is closed: 1 or 0.
-/// V_ERR_NULL, V_ERR_HANDLE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_closed(path: *const V_PATH, closed: *mut c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -153,10 +149,9 @@ pub unsafe extern "C" fn v_path_get_closed(path: *const V_PATH, closed: *mut c_i
     })
 }
 
-/// Sets how the camera turns between its orientations (V_ORIENTATION_TCB,
-/// V_ORIENTATION_BARRY_GOLDMAN, V_ORIENTATION_SLERP) and how the zoom changes
-/// (V_ZOOM_SMOOTH, V_ZOOM_LINEAR).
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+/// Sets how the camera turns between its orientations (V_ORIENTATION_...) and how the
+/// zoom changes (V_ZOOM_...).
+/// V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_modes(
     path: *mut V_PATH,
@@ -182,8 +177,7 @@ pub unsafe extern "C" fn v_path_set_modes(
     })
 }
 
-/// Gets the modes, see v_path_set_modes(). Any result may be NULL.
-/// V_ERR_NULL, V_ERR_HANDLE.
+/// Gets the modes.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_modes(
     path: *const V_PATH,
@@ -208,8 +202,8 @@ pub unsafe extern "C" fn v_path_get_modes(
     })
 }
 
-/// Sets the title of a path: UTF-8, one line of at most 256 bytes; "" removes it.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_MEMORY.
+/// Sets the title: one line of at most 256 bytes; "" removes it.
+/// V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_title(path: *mut V_PATH, title: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -219,10 +213,8 @@ pub unsafe extern "C" fn v_path_set_title(path: *mut V_PATH, title: *const c_cha
     })
 }
 
-/// Gets the title of a path, zero-terminated. *length is its number of bytes without
-/// the zero. If capacity is not larger than *length, only *length is written and the
-/// call fails with V_ERR_SIZE; with title NULL and capacity 0, only *length is written.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE.
+/// Gets the title.
+/// V_ERR_SIZE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_title(
     path: *const V_PATH,
@@ -239,8 +231,8 @@ pub unsafe extern "C" fn v_path_get_title(
     })
 }
 
-/// Sets the comment of a path: UTF-8, any number of lines; "" removes it.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_MEMORY.
+/// Sets the comment: any number of lines; "" removes it.
+/// V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_comment(path: *mut V_PATH, comment: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -250,8 +242,8 @@ pub unsafe extern "C" fn v_path_set_comment(path: *mut V_PATH, comment: *const c
     })
 }
 
-/// Gets the comment of a path, like v_path_get_title().
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE.
+/// Gets the comment.
+/// V_ERR_SIZE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_comment(
     path: *const V_PATH,
@@ -270,7 +262,7 @@ pub unsafe extern "C" fn v_path_get_comment(
 
 /// Sets the frame rate in frames per second, > 0 and at most 100000, by default 25.
 /// Poses do not change.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+/// V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_fps(path: *mut V_PATH, fps: f64) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -278,8 +270,7 @@ pub unsafe extern "C" fn v_path_set_fps(path: *mut V_PATH, fps: f64) -> c_int {
     })
 }
 
-/// Gets the frame rate in frames per second.
-/// V_ERR_NULL, V_ERR_HANDLE.
+/// Gets the frame rate.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_fps(path: *const V_PATH, fps: *mut f64) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -291,8 +282,7 @@ pub unsafe extern "C" fn v_path_get_fps(path: *const V_PATH, fps: *mut f64) -> c
 }
 
 /// Sets the number of the first pose in the user's film, by default 1. Files in other
-/// formats count from it; the library itself counts poses from 1.
-/// V_ERR_NULL, V_ERR_HANDLE.
+/// formats count from it, this library from 1.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_first_frame(path: *mut V_PATH, number: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -301,8 +291,7 @@ pub unsafe extern "C" fn v_path_set_first_frame(path: *mut V_PATH, number: c_int
     })
 }
 
-/// Gets the number of the first pose in the user's film.
-/// V_ERR_NULL, V_ERR_HANDLE.
+/// Gets the number of the first pose.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_first_frame(path: *const V_PATH, number: *mut c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -313,11 +302,10 @@ pub unsafe extern "C" fn v_path_get_first_frame(path: *const V_PATH, number: *mu
     })
 }
 
-/// Sets the object that is shown with a path, copied; NULL: none. The window draws its
-/// lines and the edges of its triangles; if lines have more than 1,000,000 points in
-/// all, only the points where they end or bend. v_path_check() uses the triangles.
-/// V_ERR_NULL (path), V_ERR_SIZE, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE,
-/// V_ERR_LIMIT, V_ERR_MEMORY.
+/// Sets the object shown with a path; NULL: none. The window draws its lines and the
+/// edges of its triangles; beyond 1,000,000 points of lines, only points where they end
+/// or bend. v_path_check() uses the triangles.
+/// V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_object(path: *mut V_PATH, object: *const V_MESH) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -331,10 +319,9 @@ pub unsafe extern "C" fn v_path_set_object(path: *mut V_PATH, object: *const V_M
     })
 }
 
-/// Gets the object that is shown with a path, with its triangles if it has any; 0
-/// points if there is no object. The arrays belong to the library and are valid until
-/// the same thread's next call of this function or its end. Set mesh->size before.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_MEMORY.
+/// Gets the object shown with a path, 0 points without one. The arrays are valid until
+/// the same thread's next call of this function or its end.
+/// V_ERR_SIZE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_object(path: *const V_PATH, mesh: *mut V_MESH) -> c_int {
     border(V_ERR_INTERNAL, || {

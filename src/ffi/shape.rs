@@ -13,13 +13,16 @@ use crate::path::{CurveKind, Tangents, curve};
 
 /// ==== Kind of the curve, tangents ====
 ///
-/// Sets how the curve leads through the points: "tcb" by tension, continuity
-/// and bias (Kochanek and Bartels 1984; the default), "centripetal" and "chordal"
-/// the same with regard to how far the points are apart (Yuksel et al. 2011: no
-/// cusp or loop, and no way back, where points stand close), "cubic" as a cubic
-/// spline with a continuous second derivative, "linear" straight. Tangents that points
-/// own hold in each.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+/// Sets how the curve leads through the points. Custom tangents hold in each kind.
+///
+/// kind  "tcb"          by tension, continuity and bias (Kochanek and Bartels 1984);
+///                      the default
+///       "centripetal"  the same, by the distances of the points (Yuksel et al. 2011): no
+///                      way back where points are close, no cusp or loop
+///       "chordal"      likewise, but a cusp or loop is possible
+///       "cubic"        a cubic spline with a continuous second derivative
+///       "linear"       straight
+/// V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_curve(path: *mut V_PATH, kind: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -30,9 +33,7 @@ pub unsafe extern "C" fn v_path_set_curve(path: *mut V_PATH, kind: *const c_char
     })
 }
 
-/// How the curve leads through the points, see v_path_set_curve(). The text is
-/// the library's and stays.
-/// V_ERR_NULL, V_ERR_HANDLE.
+/// Gets the kind of the curve; the text is constant.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_curve(path: *const V_PATH, kind: *mut *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -43,11 +44,10 @@ pub unsafe extern "C" fn v_path_get_curve(path: *const V_PATH, kind: *mut *const
     })
 }
 
-/// Gives a point custom tangents: the derivatives with which the curve reaches it (before)
-/// and leaves it (after), a segment counting 1. If both are NULL, the point uses the
-/// tangents of the curve's kind again. Coordinates are limited as in
-/// v_path_insert_point().
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE.
+/// Gives a point custom tangents: the derivatives with which the curve reaches it
+/// (before) and leaves it (after), a segment counting 1; if both are NULL, those of the
+/// curve's kind again. Coordinates as in v_path_insert_point().
+/// V_ERR_ARGUMENT, V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[before; 3], [after; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_tangents(
@@ -70,10 +70,10 @@ pub unsafe extern "C" fn v_path_set_tangents(
     })
 }
 
-/// Gets the tangents of the curve at a point, and whether they are custom (1) or not (0).
-/// At an end of an open path both are equal. Setting these tangents does not change the
-/// curve, except for rounding in a cubic spline. Any result may be NULL.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+/// Gets the tangents of the curve at a point, equal at an end of an open path, and
+/// whether they are custom: 1 or 0. Setting them does not change the curve, except for
+/// rounding in a cubic spline.
+/// V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[before; 3], [after; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_tangents(
@@ -106,18 +106,16 @@ pub unsafe extern "C" fn v_path_get_tangents(
     })
 }
 
-/// Inserts a point on the curve where the camera is at a frame. The curve, every pose and
-/// the number of frames do not change. The point gets the nearest whole frame within the
-/// section; a section of one frame becomes two frames, split where you ask. To keep the
-/// motion, the neighbouring points get custom tangents, and orientations a custom angular
-/// velocity, custom slopes of zoom and roll, and a part of the old speed profile. Such
-/// tangents are removed when their point or a neighbour moves alone;
-/// v_path_set_tangents() makes them permanent.
+/// Inserts a point on the curve where the camera is at a frame, without changing the
+/// curve, any pose or the number of frames. It gets the nearest whole frame within the
+/// section; a section of one frame becomes two, split where you ask. Neighbouring
+/// points get custom tangents, and orientations a custom angular velocity, custom
+/// slopes of zoom and roll, and a part of the old speed profile. Such tangents are
+/// removed when their point or a neighbour moves alone; v_path_set_tangents() makes
+/// them permanent. *at receives its index; it may be NULL.
 ///
-/// frame  from 1 to the number of frames, not at a key and not in a pan; the
-///     orientation mode must not be V_ORIENTATION_BARRY_GOLDMAN
-/// at     index of the new point; may be NULL
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// frame  not at a key, not in a pan, not with V_ORIENTATION_BARRY_GOLDMAN
+/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_insert_on_curve(
     path: *mut V_PATH,

@@ -102,19 +102,17 @@ impl SpaceOut {
 
 /// ==== Where a path lies ====
 ///
-/// Sets the space of a path, a cube in your world; the path's coordinates do not
-/// change.
+/// Sets the space of a path: a cube in your world; coordinates do not change.
 ///
-/// centre     (0, 0, 0) in a new path
+/// centre  (0, 0, 0) in a new path
 /// half_size  half the length of its edge, 1e-30 to 1e30; 1 in a new path. Centre,
 ///     points and targets are at most 1e9 times as far away
-/// up         V_UP_Y, as in a new path, or V_UP_Z
+/// up  V_UP_Y, as in a new path, or V_UP_Z
 ///
 /// Positions, offsets, tangents and lengths of a path are in your world's units. Base
 /// frames, limits (V_LIMITS, v_path_check()) and the distances below which nothing
-/// moves are counted in units of half_size, so that they mean the same in metres and in
-/// angstroms.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (a number that is not finite), V_ERR_RANGE.
+/// moves count in units of half_size.
+/// V_ERR_ARGUMENT, V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[centre; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_space(
@@ -130,8 +128,7 @@ pub unsafe extern "C" fn v_path_set_space(
     })
 }
 
-/// Gets the space of a path. Any result may be NULL.
-/// V_ERR_NULL, V_ERR_HANDLE.
+/// Gets the space.
 /// cbindgen:ptrs-as-arrays=[[centre; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_space(
@@ -148,9 +145,7 @@ pub unsafe extern "C" fn v_path_get_space(
     })
 }
 
-/// Fills in a space: size, centre (0, 0, 0), half_size 1, V_UP_Y. NULL only sets
-/// v_last_error(). In C, a macro of this name passes the struct's size on, as for
-/// v_editor_options_init().
+/// Fills in a space: centre (0, 0, 0), half_size 1, V_UP_Y.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_space_init(space: *mut V_SPACE) {
     border((), || {
@@ -159,7 +154,7 @@ pub unsafe extern "C" fn v_space_init(space: *mut V_SPACE) {
     });
 }
 
-/// Like v_space_init(), for a struct of size bytes, see v_editor_options_init_sized().
+/// Like v_space_init(), for a struct of size bytes.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_space_init_sized(space: *mut V_SPACE, size: usize) {
     border((), || {
@@ -168,11 +163,9 @@ pub unsafe extern "C" fn v_space_init_sized(space: *mut V_SPACE, size: usize) {
     });
 }
 
-/// Makes a new path in a space, placed as the path of v_path_new() is in its own; the
-/// same as in a new window with this space. NULL: like v_path_new(). Free *path with
-/// v_path_free().
-/// V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT (a number that is not finite), V_ERR_RANGE,
-/// V_ERR_MEMORY, V_ERR_LIMIT.
+/// Makes a new path in a space, placed as that of v_path_new() is in its own, as in a
+/// new window with this space. NULL: like v_path_new().
+/// V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_new_in_space(
     space: *const V_SPACE,
@@ -190,11 +183,11 @@ pub unsafe extern "C" fn v_path_new_in_space(
     })
 }
 
-/// Changes the up axis of a path (V_UP_Y, V_UP_Z) without changing what the camera
-/// sees: all poses stay the same, between frames too. Rolls are then measured from the
-/// new axis. Views that track a target or look ahead get the old axis as their up, "y"
-/// or "z" (v_path_set_up()); ups "y" or "z" that equal the new axis become "axis".
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
+/// Changes the up axis of a path (V_UP_Y, V_UP_Z) without changing any pose, between
+/// frames too. Rolls are then measured from the new axis. Views that track a target or
+/// look ahead get the old axis as their up, "y" or "z" (v_path_set_up()); one that
+/// equals the new axis becomes "axis".
+/// V_ERR_RANGE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_change_up(path: *mut V_PATH, up: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -202,12 +195,11 @@ pub unsafe extern "C" fn v_path_change_up(path: *mut V_PATH, up: c_int) -> c_int
     })
 }
 
-/// Makes an orientation look like the camera of a pose, such as your program's own.
-/// Sets a relative target, the pose's vpn, and roll and zoom; everything else in
-/// *orientation is unchanged, so call v_orientation_init() before. up is the up axis of
-/// the path that it is for (V_UP_Y, V_UP_Z). vpn and vup may have any length but zero;
-/// vup need not be perpendicular to vpn, but must not be parallel to it.
-/// V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE (zoom, up).
+/// Makes an orientation look like the camera of a pose, for a path with this up axis
+/// (V_UP_Y, V_UP_Z): sets a relative target, the pose's vpn, and roll and zoom.
+/// Everything else in *orientation is unchanged: call v_orientation_init() before. vpn
+/// and vup have any length but 0 and are not parallel.
+/// V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_orientation_from_pose(
     pose: *const V_POSE,

@@ -44,11 +44,11 @@ unsafe fn keys_and_times<'a>(
 /// Gets the quaternion at the time when on a smooth curve through orientations (Barry
 /// and Goldman 1988), whose ends are made by reflection.
 ///
-/// keys   count quaternions, four doubles each
+/// keys  count quaternions, four doubles each
 /// key_times  the time of each key, strictly increasing
 /// count  at least 2
-/// when   from the first time to the last
-/// V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// when  from the first time to the last
+/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 /// cbindgen:ptrs-as-arrays=[[q; 4]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_quat_spline(
@@ -68,10 +68,9 @@ pub unsafe extern "C" fn v_quat_spline(
     })
 }
 
-/// Like v_quat_spline(), on a cubic spherical curve with tension, continuity and bias.
-///
-/// tcb  tension, continuity and bias of each key, each from -1 to 1; NULL: all zero
-/// V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// Like v_quat_spline(), on a cubic spherical curve. tcb has tension, continuity and
+/// bias of each key, from -1 to 1; NULL: all zero.
+/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 /// cbindgen:ptrs-as-arrays=[[q; 4]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_quat_tcb_spline(
@@ -101,15 +100,12 @@ pub unsafe extern "C" fn v_quat_tcb_spline(
 
 /// ==== Toolbox: speed curve ====
 ///
-/// Gets speed and distance on the speed curve of a section: ten speeds from 1 to 100 at
-/// u = 0, 1/9, ... 1, smoothly joined, never leaving 1 to 100.
+/// Gets, at u from 0 to 1, the speed and the fraction of the distance on the speed
+/// curve of a section: ten speeds from 1 to 100 at u = 0, 1/9, ... 1, smoothly joined,
+/// never leaving 1 to 100.
 ///
 /// before, after  the adjacent speed of the section before and after; NULL: no section
-/// u    from 0 to 1
-/// speed_at_u         the speed at u
-/// distance_fraction  the fraction of the distance covered at u, 0 to 1
-/// Any result may be NULL.
-/// V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE.
+/// V_ERR_ARGUMENT, V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[speed; 10]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_speed_curve(

@@ -26,30 +26,26 @@ pub const V_VERSION_PATCH: c_int = 0;
 
 /// ==== Statuses ====
 ///
-/// Every function that returns a status returns one of these. v_strerror() describes a
-/// status; v_last_error() returns what was wrong in the call itself.
+/// v_strerror() describes a status; v_last_error() returns what was wrong in the call.
 ///
 /// V_OK            done
 /// V_ERR_NULL      a pointer that must not be NULL is NULL
-/// V_ERR_HANDLE    the handle is not valid: freed, of another kind, or never made; or
-///                 it is a window of another thread
-/// V_ERR_ARGUMENT  a value is not valid: not a finite number, a target on the camera
-///                 itself, an up vector along the view, a pointer that is not
-///                 aligned for its type
+/// V_ERR_HANDLE    not a valid handle: freed, of another kind, never made, or a window of
+///                 another thread
+/// V_ERR_ARGUMENT  a value is not valid: not finite, a target on the camera, an up vector
+///                 along the view, a text that is not UTF-8, a misaligned pointer
 /// V_ERR_RANGE     an index or a value is out of range, or NaN where a range applies
 /// V_ERR_SIZE      an array is too small, or the size of a struct is not set
-/// V_ERR_LIMIT     more points, orientations or poses than the library allows
+/// V_ERR_LIMIT     more points, orientations, poses or bytes than the library allows
 /// V_ERR_MEMORY    out of memory; nothing was changed
 /// V_ERR_IO        the operating system refused to read or write a file
-/// V_ERR_FORMAT    the contents of a file are not valid
+/// V_ERR_FORMAT    the contents of a file are not valid; v_last_error() names the place
 /// V_ERR_DISPLAY   no window can be opened, or its X server went away
-/// V_ERR_BUSY      not possible at this moment, for example within this callback
-/// V_ERR_CLOSED    the window is gone: its user closed it, it was destroyed from
-///                 outside, its X server went away, or the thread that opened it
-///                 ended; v_last_error() returns the reason
-/// V_ERR_INTERNAL  a fault of the library; the path concerned may be unusable from
-///                 now on, everything else works
-/// V_ERR_REFUSED   the user, or a callback of v_set_progress(), refused
+/// V_ERR_BUSY      not possible now, for example within this callback
+/// V_ERR_CLOSED    the window is gone (V_GONE_...), or its thread has ended
+/// V_ERR_INTERNAL  a fault of the library; the path or scene concerned may be unusable
+///                 from now on, everything else works
+/// V_ERR_REFUSED   the user or a callback refused
 pub const V_OK: c_int = 0;
 pub const V_ERR_NULL: c_int = 1;
 pub const V_ERR_HANDLE: c_int = 2;
@@ -438,11 +434,9 @@ pub(super) fn with_last_error(show: impl FnOnce(&[u8])) {
 
 /// ==== Errors, warnings, the version of the library ====
 ///
-/// Returns the reason why the calling thread's last call of the library failed: one
-/// sentence in English, UTF-8, "" after a success. Never NULL. A sentence longer than
-/// 1023 bytes is shortened in the middle. Parameters have the names of this header
-/// (path, options->title). Points, orientations and so on count from 0, and the
-/// sentence says it; frames count from 1. The text belongs to the library and is valid
+/// Returns why the calling thread's last call failed: one sentence in English, "" after
+/// a success; never NULL. One longer than 1023 bytes is shortened in the middle. It
+/// names parameters (path, options->title) and counts as this header does. It is valid
 /// until the same thread's next call of any function except this one, v_last_warning(),
 /// v_strerror() and v_version().
 #[unsafe(no_mangle)]
@@ -450,17 +444,16 @@ pub extern "C" fn v_last_error() -> *const c_char {
     with_message(|message| message.text.as_ptr().cast())
 }
 
-/// Returns the warnings of the calling thread's last call that can warn: sentences in
-/// English, UTF-8, or "". Never NULL. Comments of functions that can
-/// warn mention it. If the text would exceed 1023 bytes, the sentence that does not fit
-/// is shortened in the middle. The text belongs to the library and is valid until the
-/// same thread's next call of a function that can warn.
+/// Returns the warnings of the calling thread's last call of a function whose comment
+/// mentions them: sentences in English, or ""; never NULL. If they would exceed 1023
+/// bytes, the one that does not fit is shortened in the middle. They are valid until
+/// the same thread's next call of such a function.
 #[unsafe(no_mangle)]
 pub extern "C" fn v_last_warning() -> *const c_char {
     with(&WARNING, |message| message.text.as_ptr().cast())
 }
 
-/// Returns the meaning of a status, in English. Never NULL; the text is constant.
+/// Returns the meaning of a status, in English; never NULL.
 #[unsafe(no_mangle)]
 pub extern "C" fn v_strerror(status: c_int) -> *const c_char {
     match status {
@@ -484,8 +477,7 @@ pub extern "C" fn v_strerror(status: c_int) -> *const c_char {
     .as_ptr()
 }
 
-/// Returns the version of the library in use, as "1.0.0". Never NULL; the text is
-/// constant.
+/// Returns the version of the library in use, as "1.0.0"; never NULL.
 #[unsafe(no_mangle)]
 pub extern "C" fn v_version() -> *const c_char {
     concat!(env!("CARGO_PKG_VERSION"), "\0").as_ptr().cast()

@@ -10,21 +10,18 @@ use super::status::{Answer, Failure, V_ERR_INTERNAL};
 use super::types::V_PATH;
 use crate::document::Document;
 
-/// The motion of a camera at a frame, see v_path_motion(). The library fills it in.
-///
-/// Set size before any call, see V_ORIENTATION.
+/// The motion of a camera at a frame.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct v_motion {
-    /// sizeof (V_MOTION)
     pub size: usize,
-    /// length of the path since the first frame
+    /// along the path since the first frame
     pub distance: f64,
-    /// length of the path per second
+    /// length per second
     pub speed: f64,
-    /// degrees per second by which the camera turns, rolling included
+    /// degrees per second, rolling included
     pub turning: f64,
-    /// curvature of the path, 1 / radius; 0 where the camera holds or turns on the spot
+    /// 1 / radius; 0 where the camera holds or turns on the spot
     pub curvature: f64,
 }
 
@@ -44,11 +41,10 @@ fn course(document: &Document) -> Answer<(usize, f64)> {
 
 /// ==== Time and motion ====
 ///
-/// Gets the frame that is shown at a time: 1 + seconds * fps (v_path_set_fps()), which
-/// may lie between two whole frames. The last pose is at (v_path_frame_count() - 1) / fps
-/// seconds; other times are out of range. For the time of a whole frame from
-/// v_path_seconds_at_frame(), the result is exactly that frame.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// Gets the frame that is shown at a time from 0 to (v_path_frame_count() - 1) / fps: 1
+/// + seconds * fps. For the time of a whole frame from v_path_seconds_at_frame(), it is
+/// exactly that frame.
+/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_frame_at_seconds(
     path: *const V_PATH,
@@ -81,11 +77,8 @@ pub unsafe extern "C" fn v_path_frame_at_seconds(
     })
 }
 
-/// Gets the time in seconds at which a frame is shown: (frame - 1) / fps, see
-/// v_path_frame_at_seconds().
-///
-/// frame  from 1 to v_path_frame_count(), also between two whole frames
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// Gets the seconds at which a frame is shown: (frame - 1) / fps.
+/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_seconds_at_frame(
     path: *const V_PATH,
@@ -103,10 +96,8 @@ pub unsafe extern "C" fn v_path_seconds_at_frame(
 
 /// Gets the motion of the camera at a frame: lengths in the units of the positions,
 /// seconds by v_path_set_fps(). At a key it is the motion after the key; at the last
-/// frame, the motion before it. Set motion->size before.
-///
-/// frame  from 1 to v_path_frame_count(), also between two whole frames
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// frame, before it.
+/// V_ERR_SIZE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_motion(
     path: *const V_PATH,

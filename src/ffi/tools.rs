@@ -50,10 +50,10 @@ fn range(document: &Document, first: c_int, last: c_int) -> Answer<Vec<usize>> {
 
 /// ==== Tools ====
 ///
-/// Makes a path by a ready-made move, at 25 frames per second; all its sections have
-/// one speed. parameters has the numbers in the order below, a position as three; those
-/// after count have the defaults in parentheses. Headings are seen from the target: 0
-/// is towards +z, 90 towards +x. Free *path with v_path_free().
+/// Makes a path by a ready-made move, at 25 frames per second and one speed. parameters
+/// has the numbers in the order below, a position as three; those after count have the
+/// defaults in parentheses. Headings are seen from the target: 0 is towards +z, 90
+/// towards +x.
 ///
 /// "orbit"  on a circle round a target
 ///     around x y z (0), radius (1), height (0.4), from degrees (0), turns (1),
@@ -83,7 +83,7 @@ fn range(document: &Document, first: c_int, last: c_int) -> Answer<Vec<usize>> {
 ///     around x y z (0), radius (0.7), height (0.4), width (1.2),
 ///     from degrees (0), zoom mm (24), seconds (10)
 ///
-/// V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_from_move(
     r#move: *const c_char,
@@ -95,12 +95,10 @@ pub unsafe extern "C" fn v_path_from_move(
     unsafe { v_path_from_move_in_space(r#move, parameters, count, ptr::null(), path) }
 }
 
-/// Like v_path_from_move(), in a space. With V_UP_Z, headings are towards +x (0) and +y
-/// (90), and heights along z. Default lengths are multiplied by the half_size of the
-/// space; default positions are its centre. Free *path with v_path_free().
-///
-/// space   see v_space_init(); NULL: centre (0, 0, 0), half_size 1, V_UP_Y
-/// V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// Like v_path_from_move(), in a space; NULL: that of v_space_init(). With V_UP_Z,
+/// headings are towards +x (0) and +y (90), and heights along z. Default lengths are
+/// multiplied by half_size; default positions are the centre.
+/// V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_from_move_in_space(
     r#move: *const c_char,
@@ -131,14 +129,13 @@ pub unsafe extern "C" fn v_path_from_move_in_space(
     })
 }
 
-/// Moves, turns, scales and mirrors the points from first_point to last_point,
-/// including their own tangents.
+/// Moves, turns, scales and mirrors the points from first_point to last_point, with
+/// their custom tangents.
 ///
 /// matrix  column by column, without shear; its last row is 0 0 0 1
-/// with_targets  1: targets, views and rolls are transformed too; 0: absolute targets
-///     stay in place, relative ones keep their direction
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (shear, or a point would be at its own
-/// target), V_ERR_RANGE, V_ERR_MEMORY.
+/// with_targets  1: with targets, views and rolls; 0: absolute targets stay in place,
+///     relative ones keep their direction
+/// V_ERR_ARGUMENT (shear, or a point at its own target), V_ERR_RANGE, V_ERR_MEMORY.
 /// cbindgen:ptrs-as-arrays=[[matrix; 16]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_transform(
@@ -168,12 +165,10 @@ fn zero_or_one(number: c_int, name: &'static str) -> Answer<bool> {
     }
 }
 
-/// Deforms the points from first_point to last_point like v_deform(), including their
-/// own tangents.
-///
-/// box    NULL: the bounds of the points' positions
-/// with_targets  1: their targets are deformed too; 0: they are unchanged
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// Deforms the points from first_point to last_point like v_deform(), with their custom
+/// tangents, and with their targets (with_targets 1) or not (0). box NULL: the bounds
+/// of the points.
+/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 /// cbindgen:ptrs-as-arrays=[[box; 6]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_deform(
@@ -203,9 +198,8 @@ pub unsafe extern "C" fn v_path_deform(
 }
 
 /// Copies the points from first_point to last_point into a new, open path with the same
-/// curve. On a closed path first_point may be after last_point. Free *block with
-/// v_path_free().
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY, V_ERR_LIMIT.
+/// curve. On a closed path first_point may be after last_point.
+/// V_ERR_RANGE, V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_extract(
     path: *const V_PATH,
@@ -229,15 +223,15 @@ pub unsafe extern "C" fn v_path_extract(
     })
 }
 
-/// Inserts a copy of another path, block, after the point at index at. block may be the
-/// same path. The block keeps its curve, with its targets, and so does the rest of the
-/// path; where they join, both have the same direction.
+/// Inserts a copy of another path, block, which may be the same, after point at. The
+/// block keeps its curve and targets, the rest of the path its curve; where they join,
+/// both have the same direction.
 ///
 /// Except with V_FIT_NONE, the block's first point is merged with that point, which
-/// keeps its views; with V_FIT_SCALE its last point is merged with the next point in
-/// the same way. A closed block ends where it begins. Duplicate names get a number.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no direction, or no length to scale),
-/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// keeps its views; with V_FIT_SCALE its last point likewise with the next one. A
+/// closed block ends where it begins. Duplicate names get a number.
+/// V_ERR_ARGUMENT (no direction, or no length to scale), V_ERR_RANGE, V_ERR_LIMIT,
+/// V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_insert_path(
     path: *mut V_PATH,
@@ -273,17 +267,17 @@ pub unsafe extern "C" fn v_path_insert_path(
     })
 }
 
-/// Reverses a path: the film shows the same poses in reverse order. Views that look
-/// ahead then look ahead in the new direction.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_MEMORY.
+/// Reverses a path: the same poses in reverse order. Views that look ahead do so in the
+/// new direction.
+/// V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_reverse(path: *mut V_PATH) -> c_int {
     border(V_ERR_INTERNAL, || edit(path, Edit::Reverse))
 }
 
-/// Repeats a path count times. Each repetition begins where the last one ended, and its
-/// targets move with it; a closed path is run through count times.
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// Repeats a path count times. Each repetition begins where the last one ended, with
+/// its targets; a closed path is run through count times.
+/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_repeat(path: *mut V_PATH, count: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -291,14 +285,12 @@ pub unsafe extern "C" fn v_path_repeat(path: *mut V_PATH, count: c_int) -> c_int
     })
 }
 
-/// Makes the weighted sum of paths: positions, curve, targets, roll, zoom and speeds,
-/// point by point. Paths with fewer points are first resampled by length to the largest
-/// number of points. Fixed frames (rounded), angular velocities and slopes are blended
-/// where every path has them. The rest comes from the path with the greatest
-/// weight. Free *blend with v_path_free().
-///
-/// weights  count numbers with the sum 1
-/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// Makes the weighted sum of paths, point by point: positions, curve, targets, roll,
+/// zoom and speeds; also fixed frames (rounded), angular velocities and slopes that all
+/// paths have. Paths with fewer points are first resampled by length to the largest
+/// number. Everything else comes from the path with the greatest weight. The count
+/// weights have the sum 1.
+/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_blend(
     paths: *const *mut V_PATH,

@@ -13,8 +13,7 @@ use crate::path::Pose;
 
 /// ==== The types of the interface of 1994 ====
 ///
-/// A point or a vector in the space, the cube from -1 to 1 in x, y and z: right-handed,
-/// y up.
+/// A point or a vector in the cube from -1 to 1 in x, y and z, y up.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct v_punkt {
@@ -25,7 +24,7 @@ pub struct v_punkt {
 
 pub type V_PUNKT = v_punkt;
 
-/// The same type by the name that the other structs use.
+/// The same type by the name that other structs use.
 pub type V_POS = V_PUNKT;
 
 /// One point of the wireframe object that v_haupt() shows.
@@ -44,26 +43,25 @@ pub type V_OBJEKT_LISTE = v_objekt_list;
 /// The same type by its other name.
 pub type V_OBJEKT_LIST = V_OBJEKT_LISTE;
 
-/// A camera pose in a list, and the whole list by its first element.
+/// A camera pose in a list, and the whole list by its first element. The list is
+/// circular: first->prev is the last element, whose number is the count, and whose next
+/// is the first. A list of one element points to itself.
 ///
 /// The first element is yours and must outlive the list. Before the first hand-over set
-/// its number to -1: there is no data yet, and prev and next have no meaning. VIDES
-/// allocates each other element with malloc(), so that you may free() it;
-/// v_free_liste() does that too. The next list reuses the elements.
-///
-/// The list is circular: first->prev is the last element, whose number is the count,
-/// and the last element's next is the first. A list of one element points to itself.
+/// its number to -1: no data yet; prev and next have no meaning. VIDES allocates the
+/// others with malloc(), so that you or v_free_liste() may free() them. The next list
+/// reuses them.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct interpolparameter {
     /// position of the camera (view reference point)
     pub VRP: V_POS,
-    /// view direction, along which the camera looks; length 1
+    /// view direction; length 1
     pub VPN: V_POS,
     /// up; length 1, perpendicular to VPN
     pub VUP: V_POS,
-    /// 1 to 100, rounded; 100 for any larger zoom. The vertical field of view is 2 atan
-    /// (12 / zoom)
+    /// 1 to 100, rounded, 100 for any larger. Vertical field of view: 2 atan (12 /
+    /// zoom)
     pub zoom: c_int,
     pub prev: *mut interpolparameter,
     pub next: *mut interpolparameter,
@@ -79,9 +77,8 @@ pub struct v_path {
 
 /// ==== The types of the new interface ====
 ///
-/// A handle for a camera path. It is not an address: using a handle that was freed, or
-/// never made, or freeing it twice, is harmless and fails with V_ERR_HANDLE. Free it
-/// with v_path_free().
+/// A handle for a camera path, not an address: using one that was freed or never made,
+/// or freeing it twice, is harmless and fails with V_ERR_HANDLE.
 pub type V_PATH = v_path;
 
 /// A camera pose. This layout will never change.
@@ -90,36 +87,29 @@ pub type V_PATH = v_path;
 pub struct v_pose {
     /// position of the camera
     pub vrp: [f64; 3],
-    /// view direction, along which the camera looks; length 1
+    /// view direction; length 1
     pub vpn: [f64; 3],
     /// up; length 1, perpendicular to vpn
     pub vup: [f64; 3],
-    /// 1 to 2000: focal length in mm of a 36 x 24 mm camera, so that the vertical field
-    /// of view is 2 atan (12 / zoom); v_zoom_from_fov() converts other lenses
+    /// 1 to 2000: focal length in mm of a 36 x 24 mm camera, with a vertical field of
+    /// view of 2 atan (12 / zoom). For other lenses see v_zoom_from_fov()
     pub zoom: f64,
 }
 
 pub type V_POSE = v_pose;
 
-/// An orientation: how the camera looks at a point of the path, and how it moves on
-/// from there. The window calls it a view.
-///
-/// A struct that begins with size may grow at its end in later versions. Set size to
-/// sizeof the struct before any call, even if the library fills in the rest;
-/// v_orientation_init() does it. Programs compiled with an earlier 1.x may have a
-/// shorter struct; any other size fails with V_ERR_SIZE.
+/// How the camera looks at a point of the path, and how it moves on from there. The
+/// window calls an orientation a view.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct v_orientation {
-    /// sizeof (V_ORIENTATION)
     pub size: usize,
     /// not 0: target is a point in the world; 0: an offset from the path's point, of
     /// which only the direction matters
     pub absolute: c_int,
     /// what the camera looks at; must not be the point itself
     pub target: [f64; 3],
-    /// degrees, turns the up vector about the view direction; any finite number, stored
-    /// in (-180, 180]
+    /// degrees, turns up about the view; any finite number, stored in (-180, 180]
     pub roll: f64,
     /// 1 to 2000
     pub zoom: f64,
@@ -130,21 +120,18 @@ pub struct v_orientation {
     /// speed curve of the section that begins here, each from 1 to 100; at 50 the base
     /// speeds apply
     pub speed: [f64; 10],
-    /// number of frames that the camera rests here, 0 to 1000000
+    /// frames that the camera rests here, 0 to 1000000
     pub hold: c_int,
 }
 
 pub type V_ORIENTATION = v_orientation;
 
 /// A view as defined by PHIGS. The eye is on the side that normal points to, so it
-/// looks against normal. Everything except vrp, normal and up is in the view's own
+/// looks against normal. Everything except vrp, normal and up is in the view's
 /// coordinates u (right), v (up), n (along normal), with the origin at vrp.
-///
-/// Set size before any call, see V_ORIENTATION.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct v_view {
-    /// sizeof (V_VIEW)
     pub size: usize,
     /// view reference point, world
     pub vrp: [f64; 3],
@@ -174,9 +161,9 @@ pub struct v_editor {
 
 /// ==== Editor windows ====
 ///
-/// A handle for an editor window (see V_PATH). The window belongs to the thread that
-/// opened it; on any other, its functions fail with V_ERR_HANDLE. Free it with
-/// v_editor_close(), even if the user has closed the window.
+/// A handle for an editor window (see V_PATH). On any thread but the one that opened
+/// it, its functions fail with V_ERR_HANDLE. Free it even if the user has closed the
+/// window.
 pub type V_EDITOR = v_editor;
 
 /// ==== Reasons of callbacks ====
@@ -187,8 +174,7 @@ pub type V_EDITOR = v_editor;
 /// V_VIEW_EDITED    something is being dragged or was changed
 /// V_VIEW_SCRUBBED  another frame was chosen
 /// V_VIEW_PLAYED    the window is playing
-/// V_VIEW_RESTED    nothing moves any more; ends each series of the others and is the
-///                  time to draw in full quality
+/// V_VIEW_RESTED    nothing moves any more; ends each series: draw in full quality
 pub const V_VIEW_SELECTED: c_int = 0;
 pub const V_VIEW_EDITED: c_int = 1;
 pub const V_VIEW_SCRUBBED: c_int = 2;
@@ -214,34 +200,26 @@ pub const V_GONE_FAULT: c_int = 4;
 pub const V_UP_Y: c_int = 1;
 pub const V_UP_Z: c_int = 2;
 
-/// The space of a path: a cube in your world, see v_path_set_space(). v_space_init()
-/// fills in the space of a new path.
-///
-/// Set size before any call, see V_ORIENTATION.
+/// The space of a path: a cube in your world, see v_path_set_space().
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct v_space {
-    /// sizeof (V_SPACE)
     pub size: usize,
-    /// its centre, in your world
+    /// its centre
     pub centre: [f64; 3],
     /// half the length of its edge, 1e-30 to 1e30
     pub half_size: f64,
-    /// which axis is up, V_UP_Y or V_UP_Z
+    /// V_UP_Y or V_UP_Z
     pub up: c_int,
 }
 
 pub type V_SPACE = v_space;
 
-/// Limits of a speed profile; 0: no limit. Lengths are in units of the space's half_size
-/// (v_path_set_space()), as in v_path_check(). v_limits_init() fills in the defaults of
-/// v_path_check().
-///
-/// Set size before any call, see V_ORIENTATION.
+/// Limits of a speed profile; 0: no limit. Lengths are in units of the space's
+/// half_size, as in v_path_check(), whose defaults v_limits_init() fills in.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct v_limits {
-    /// sizeof (V_LIMITS)
     pub size: usize,
     /// length per second
     pub speed: f64,
@@ -255,60 +233,52 @@ pub struct v_limits {
     pub turning_acceleration: f64,
     /// mm per second
     pub zoom: f64,
-    /// least time in seconds in which what is in the middle of the picture may cross it
+    /// least seconds in which what is in the middle of the picture may cross it
     pub crossing: f64,
 }
 
 pub type V_LIMITS = v_limits;
 
-/// Options of a tour that shows an object, see v_path_tour(). v_tour_init() fills in
-/// the defaults.
-///
-/// Set size before any call, see V_ORIENTATION.
+/// Options of v_path_tour().
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct v_tour {
-    /// sizeof (V_TOUR)
     pub size: usize,
     /// duration of the flight, > 0
     pub seconds: f64,
     /// fraction, by area, of the visible surface to show: > 0, at most 1
     pub coverage: f64,
-    /// distance of the camera from what it shows; 0: chosen by VIDES
+    /// of the camera from what it shows; 0: chosen by VIDES
     pub distance: f64,
-    /// not 0: in the free space inside the object instead of around it
+    /// not 0: in the free space inside the object, not around it
     pub inside: c_int,
     /// not 0: begins at start; 0: a closed tour
     pub has_start: c_int,
     /// where it begins
     pub start: [f64; 3],
-    /// which axis is up, V_UP_Y or V_UP_Z
+    /// V_UP_Y or V_UP_Z
     pub up: c_int,
 }
 
 pub type V_TOUR = v_tour;
 
-/// Options of an editor window. v_editor_options_init() fills in the defaults. What
-/// they point to, except user, must only remain valid during v_editor_open().
-///
-/// Set size before any call, see V_ORIENTATION.
+/// Options of an editor window. What they point to, except user, need only remain valid
+/// during v_editor_open().
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct v_editor_options {
-    /// sizeof (V_EDITOR_OPTIONS)
     pub size: usize,
-    /// text after "VIDES" in the title, UTF-8, one line; NULL: the name of the file
+    /// text after "VIDES" in the title, one line; NULL: the name of the file
     pub title: *const c_char,
-    /// a .vid file to start with and to save to; one that does not exist yet is a new
-    /// path of that name; NULL: none
+    /// a .vid file to start with and to save to; if it does not exist yet, a new path
+    /// of that name; NULL: none
     pub file: *const c_char,
-    /// a path to start with, copied; NULL: a new one, or that of file. Must not be
-    /// given together with file
+    /// a path to start with; NULL: a new one, or that of file. Not together with file
     pub path: *const V_PATH,
-    /// an object to show, copied, at which a new path looks; NULL: that of the path
+    /// an object to show, at which a new path looks; NULL: that of the path
     pub object: *const V_MESH,
-    /// base speeds, see v_path_set_base_frames(). All 0: those of the path. Otherwise
-    /// they are fixed: the window keeps them and ignores those of a loaded file
+    /// base speeds, see v_path_set_base_frames(). All 0: those of the path; otherwise
+    /// they are fixed, and those of a loaded file are ignored
     pub move_frames: f64,
     pub turn_frames: f64,
     pub zoom_frames: f64,
@@ -316,12 +286,12 @@ pub struct v_editor_options {
     /// name of the X display; NULL: the one that the program's Xt opened last; without
     /// Xt, the environment's DISPLAY
     pub display: *const c_char,
-    /// "de" or "en"; NULL: from the environment's LC_ALL, LC_MESSAGES, LANG. A language
-    /// chosen by the user in the setup takes precedence
+    /// "de" or "en"; NULL: by LC_ALL, LC_MESSAGES, LANG. A language that the user chose
+    /// in the setup takes precedence
     pub language: *const c_char,
-    /// called when the user hands over the poses, which belong to the library and are
-    /// valid until it returns. In a scene they are those of the camera shown, one for
-    /// each frame of v_scene_frame_range(). NULL: no hand-over is possible
+    /// called when the user hands over the poses, which are valid until it returns; in
+    /// a scene those of the camera shown, one for each frame of v_scene_frame_range().
+    /// NULL: no hand-over is possible
     pub on_poses: Option<
         unsafe extern "C" fn(
             editor: *mut V_EDITOR,
@@ -330,23 +300,20 @@ pub struct v_editor_options {
             user: *mut c_void,
         ),
     >,
-    /// called before the user closes the window; returning 0 keeps it open. NULL: it
-    /// closes
+    /// called before the user closes the window; 0 keeps it open. NULL: it closes
     pub on_close: Option<unsafe extern "C" fn(editor: *mut V_EDITOR, user: *mut c_void) -> c_int>,
     /// your pointer, passed to the callbacks
     pub user: *mut c_void,
-    /// the space in your world: its centre, half of its edge, and the up axis, V_UP_Y
-    /// or V_UP_Z; also for a scene in file. With space_half_size 0, the space is that
-    /// of file or path, and V_UP_Z makes z the up axis of a new path
+    /// the space in your world, also for a scene in file: its centre, half of its edge,
+    /// V_UP_Y or V_UP_Z. With space_half_size 0 it is that of file or path, and V_UP_Z
+    /// makes z the up axis of a new path
     pub space_centre: [f64; 3],
     pub space_half_size: f64,
     pub space_up: c_int,
-    /// called with the camera at the playhead whenever it has changed, whether or not
-    /// the window is visible (it may be covered, iconified, on another desktop, or in a
-    /// parent that is not shown): at most 60 times a second, combining changes in
-    /// between. frame counts from 1; reason is one of V_VIEW_.... The pose belongs to
-    /// the library and is valid until it returns. After a call of more than 30 ms the
-    /// next one waits as long; the last pose always arrives. NULL: none
+    /// called with the camera at the playhead whenever it has changed, at most 60 times
+    /// a second, even if the window is covered, iconified or not shown; reason is one
+    /// of V_VIEW_.... The pose is valid until it returns. After a call of more than 30
+    /// ms the next one waits as long; the last pose always arrives. NULL: none
     pub on_view: Option<
         unsafe extern "C" fn(
             editor: *mut V_EDITOR,
@@ -356,28 +323,25 @@ pub struct v_editor_options {
             user: *mut c_void,
         ),
     >,
-    /// called when the path in the window has changed: after each step, undo and redo,
-    /// but not during a drag; steps within a sixtieth of a second are combined. It is
-    /// called whether or not the window is visible, like on_view. A tool's preview
-    /// before OK does not count as a change here, nor for on_view, on_frame and
+    /// called, like on_view, when the path in the window has changed: after each step,
+    /// undo and redo, not during a drag; steps within a sixtieth of a second are
+    /// combined. A tool's preview before OK is no change, nor for on_view, on_frame and
     /// on_poses. NULL: none
     pub on_change: Option<unsafe extern "C" fn(editor: *mut V_EDITOR, user: *mut c_void)>,
     /// called when the user adds your program's view to the path (Ctrl-Enter): fill in
-    /// your camera and return 1, or return 0 if you have no camera. vpn and vup have any
-    /// length but 0 and are not parallel. NULL: the window uses the view of
-    /// v_editor_set_view()
+    /// your camera and return 1, or return 0 if you have none. vpn and vup have any
+    /// length but 0 and are not parallel. NULL: the view of v_editor_set_view()
     pub on_capture: Option<
         unsafe extern "C" fn(editor: *mut V_EDITOR, pose: *mut V_POSE, user: *mut c_void) -> c_int,
     >,
     /// called when the camera pane opens, changes its size in pixels, or closes (window
-    /// 0, sizes 0). Draw in it what the camera sees, and again at each Expose: in a
-    /// child window that you create there, of any visual, which is kept at the pane's
-    /// size, or in the pane itself, which has the screen's own visual. A pane is never
-    /// destroyed while the process lives. When it closes, it is unmapped, a child in it
-    /// is moved to the root window, unmapped, and then this is called. When the editor
-    /// closes, this is called after its window is gone, also by v_editor_close(); the
-    /// editor's handle may then be freed already. It is not called when the thread
-    /// ends. On a server without XFIXES or SHAPE there is no pane. NULL: the editor
+    /// 0, sizes 0). Draw in it what the camera sees, again at each Expose: in the pane,
+    /// which has the screen's own visual, or in a child window of any visual that you
+    /// create there and that is kept at its size. A pane is never destroyed while the
+    /// process lives: it is unmapped, a child is moved to the root window and unmapped,
+    /// and then this is called. When the editor closes, also by v_editor_close(), that
+    /// is after its window is gone; its handle may be freed already. Not called when
+    /// the thread ends. Without XFIXES or SHAPE there is no pane. NULL: the editor
     /// draws the picture itself
     pub on_pane: Option<
         unsafe extern "C" fn(
@@ -388,41 +352,38 @@ pub struct v_editor_options {
             user: *mut c_void,
         ),
     >,
-    /// what the window calls your program's view, UTF-8, one line; NULL: "program"
+    /// what the window calls your program's view, one line; NULL: "program"
     pub host_name: *const c_char,
-    /// an X window of the display, of any depth: the editor becomes its child and fills
-    /// it; 0: a top-level window. If the parent is destroyed, or the editor's window is
-    /// moved to the root, the editor closes without calling on_close, and unsaved work
-    /// is offered at the next start. V_ERR_ARGUMENT if it is not a window
+    /// an X window of the display, of any depth, which the editor fills as its child;
+    /// 0: a top-level window. If it is destroyed, or the editor's window is moved to
+    /// the root, the editor closes without on_close, and unsaved work is offered at the
+    /// next start. V_ERR_ARGUMENT if it is not a window
     pub parent: c_ulong,
-    /// your window that the editor's window belongs to; window managers keep the editor
-    /// above it; 0: none. V_ERR_ARGUMENT if it is not a window
+    /// your window, above which window managers keep the editor; 0: none.
+    /// V_ERR_ARGUMENT if it is not a window
     pub transient_for: c_ulong,
-    /// name of the program, UTF-8: the first half of WM_CLASS, by which desktops group
-    /// windows, and by which unsaved work is found again; NULL: the name of the running
-    /// program
+    /// name of the program: the first half of WM_CLASS, by which desktops group windows
+    /// and unsaved work is found again; NULL: that of the running program
     pub application: *const c_char,
-    /// not 0: after a hand-over nothing is unsaved. That always holds without a file,
-    /// and in a window of v_haupt()
+    /// not 0: after a hand-over nothing is unsaved, as always without a file and in a
+    /// window of v_haupt()
     pub hand_over_saves: c_int,
-    /// for programs that draw the scene themselves, with v_editor_get_scene() and
-    /// v_scene_evaluate(): called with the scene's frame at the playhead and a reason
-    /// (V_VIEW_...) when that frame or the scene has changed; as often as on_view.
-    /// NULL: none
+    /// for programs that draw the scene themselves (v_editor_get_scene(),
+    /// v_scene_evaluate()): called with the scene's frame at the playhead and
+    /// V_VIEW_... when that frame or the scene has changed, as often as on_view. NULL:
+    /// none
     pub on_frame: Option<
         unsafe extern "C" fn(editor: *mut V_EDITOR, frame: f64, reason: c_int, user: *mut c_void),
     >,
-    /// the view that your program's picture shows when the window opens; copied. A new
-    /// path begins with it and leads to the right, around what is in the middle of the
-    /// picture. on_view is then called only when the camera has changed, so that
-    /// opening the window does not move your picture. NULL: a new path looks at the
-    /// object, and on_view is called at once
+    /// what your program's picture shows when the window opens. A new path begins with
+    /// it and leads to the right, around what is in the middle of the picture; on_view
+    /// is called only when the camera has changed: opening the window does not move
+    /// your picture. NULL: a new path looks at the object, and on_view is called at
+    /// once
     pub view: *const V_POSE,
-    /// called once, after the window is gone, so that your program can show its own
-    /// view again. reason is one of V_GONE_.... You may free the handle here
-    /// (v_editor_close()); any other use of it fails with V_ERR_CLOSED. It is not
-    /// called when v_editor_close() closes the window, or when its thread ends. NULL:
-    /// none
+    /// called once, after the window is gone; reason is one of V_GONE_.... You may free
+    /// the handle here; any other use of it fails with V_ERR_CLOSED. Not called when
+    /// v_editor_close() closes the window or its thread ends. NULL: none
     pub on_gone:
         Option<unsafe extern "C" fn(editor: *mut V_EDITOR, reason: c_int, user: *mut c_void)>,
 }

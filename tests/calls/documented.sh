@@ -1,5 +1,6 @@
 #!/bin/sh
-# The statuses that the header names for each function, as a table in C:
+# The statuses that the header names for each function, as a table in C, and those that
+# it names once for all functions with a pointer, a path, a scene or a window:
 # documented.sh HEADER
 set -eu
 
@@ -8,7 +9,7 @@ echo '#include "libvides.h"'
 echo 'static const struct documented { const char *name; unsigned statuses; } documented[] = {'
 awk '
     /^\/\*\*/ { statuses = "" }
-    /^ \*/ {
+    /^(\/\*\*| \*)/ {
         line = $0
         while (match(line, /V_ERR_[A-Z]+/)) {
             statuses = statuses " | 1u << " substr(line, RSTART, RLENGTH)
@@ -16,7 +17,19 @@ awk '
         }
     }
     /^(int|void|double|const char) .*\(/ && match($0, /v_[a-z_]+\(/) {
-        printf "    {\"%s\", 0%s},\n", substr($0, RSTART, RLENGTH - 1), statuses
+        name = substr($0, RSTART, RLENGTH - 1)
+        parameters = ""
+    }
+    name != "" { parameters = parameters $0 }
+    name != "" && /;$/ {
+        sub(/^[^(]*/, "", parameters)
+        if (parameters ~ /\*/) statuses = statuses " | 1u << V_ERR_NULL"
+        if (parameters ~ /V_(PATH|SCENE|EDITOR) \*(const \*)?[a-z]/)
+            statuses = statuses " | 1u << V_ERR_HANDLE"
+        if (parameters ~ /V_SCENE \*[a-z]/) statuses = statuses " | 1u << V_ERR_BUSY"
+        if (parameters ~ /V_EDITOR \*[a-z]/) statuses = statuses " | 1u << V_ERR_CLOSED"
+        printf "    {\"%s\", 0%s},\n", name, statuses
+        name = ""
     }
 ' "$1"
 echo '};'

@@ -136,6 +136,41 @@ fn a_scene_gives_its_shown_camera_or_a_node() {
     );
 }
 
+/// From list to list, poses keep their times, unless frames are asked for.
+#[test]
+fn a_list_keeps_its_times() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let (tum, euroc) = (place("a.tum"), place("b.euroc"));
+    let stamps = [1403636580.838, 1403636580.911, 1403636581.5, 1403636583.25];
+    let lines = stamps.map(|stamp| format!("{stamp} {} 0 0 0 0 0 1\n", stamp - 1403636580.0));
+    fs::write(&tum, lines.concat()).unwrap();
+    let (_, told) = lossy(&["convert", &tum, &euroc]);
+    assert!(
+        !told.iter().any(|line| line.contains("begin at")),
+        "{told:?}"
+    );
+    let (text, _) = lossy(&["convert", &euroc, "-", "--to", "tum"]);
+    let times = |text: &str| -> Vec<f64> {
+        let rows = text.lines().filter(|line| !line.starts_with('#'));
+        rows.map(|row| row.split(' ').next().unwrap().parse().unwrap())
+            .collect()
+    };
+    for (was, is) in stamps.iter().zip(times(&text)) {
+        assert!((was - is).abs() < 5e-6, "{was} {is}");
+    }
+    let (frames, _) = lossy(&[
+        "convert", &tum, "-", "--to", "tum", "--times", "frames", "--start", "0",
+    ]);
+    let frames = times(&frames);
+    assert!(
+        frames.len() > 4
+            && frames
+                .windows(2)
+                .all(|pair| (pair[1] - pair[0] - frames[1]).abs() < 1e-9)
+    );
+}
+
 #[test]
 fn what_cannot_be_done_is_told() {
     for (arguments, status, said) in [

@@ -121,9 +121,12 @@ def formats():
         Format("vtk", "flight.py", back=False, importers=[vtk], options=("--to", "vtk")),
         Format("nerfstudio", "camera_path.json", "z", importers=[nerfstudio]),
         Format("transforms", "transforms.json", "z", rate=False, importers=[plain]),
+        Format("instant-ngp", "base_cam.json", "z", importers=[plain]),
         Format("cameras", "cameras.json", rate=False, importers=[plain]),
         Format("tum", "flight.tum", fov=False, rate=False, importers=[evo], options=("--to", "tum")),
         Format("kitti", "flight.kitti", fov=False, rate=False, importers=[evo], options=("--to", "kitti")),
+        Format("matrices", "flight.npy", fov=False, rate=False, importers=[plain]),
+        Format("open3d", "camera_trajectory.json", rate=False, importers=[plain]),
         Format("colmap", "model", rate=False, importers=[colmap], options=("--to", "colmap")),
         Format("osg", "flight.path", fov=False, rate=False, importers=[plain], options=("--to", "osg")),
         Format("chan", "flight.chan", rate=False, importers=[plain]),
@@ -286,7 +289,8 @@ def job(form, flight, out):
 
 
 def by_definition(form, out):
-    read = getattr(plain_readers, form.name + ("_" if form.name == "json" else ""))
+    name = {"json": "json_", "instant-ngp": "instant_ngp"}.get(form.name, form.name)
+    read = getattr(plain_readers, name)
     found = read(out)
     return found if isinstance(found, tuple) else (found, None)
 

@@ -35,6 +35,32 @@ def cameras(path):
     return poses(matrices, 1, fov)
 
 
+def matrices(path):
+    return poses(np.load(path), 1, None)
+
+
+def open3d(path):
+    found, fov = [], []
+    for entry in json.loads(path.read_text())["parameters"]:
+        found.append(np.linalg.inv(np.reshape(entry["extrinsic"], (4, 4)).T))
+        height, focal = entry["intrinsic"]["height"], entry["intrinsic"]["intrinsic_matrix"][4]
+        fov.append(np.degrees(2 * np.arctan(height / 2 / focal)))
+    return poses(found, 1, fov)
+
+
+def instant_ngp(path):
+    keys = json.loads(path.read_text())["path"]
+    found = np.tile(np.eye(4), (len(keys), 1, 1))
+    for matrix, key in zip(found, keys):
+        x, y, z, w = key["R"]
+        # As ngp_matrix_to_nerf() of its source does it.
+        matrix[:3, :3] = turns.to_matrices(np.array([[w, x, y, z]]))[0][[2, 0, 1]] * [1, -1, -1]
+        matrix[:3, 3] = ((np.array(key["T"]) - 0.5) / 0.33)[[2, 0, 1]]
+    # A key is reached when the time of the one before it is over.
+    times = np.array([0.0, *(key["timestamp"] for key in keys[:-1])])
+    return poses(found, -1, [key["fov"] for key in keys]), times
+
+
 def numbers(path, separator=None):
     return np.array(
         [line.split(separator) for line in path.read_text().splitlines() if line.strip() and line[0] not in "#f"], float

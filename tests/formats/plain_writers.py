@@ -181,6 +181,38 @@ def kitti(poses, fps, path):
     path.write_text("".join(" ".join(map(repr, row)) + "\n" for row in rows.tolist()))
 
 
+def numpy_(poses, fps, path):
+    np.save(path, matrices(poses, 1))
+
+
+def open3d(poses, fps, path):
+    entries = []
+    for matrix, fov in zip(matrices(poses, 1), poses.fov):
+        focal = float(540 / np.tan(np.radians(fov) / 2))
+        intrinsic = [focal, 0, 0, 0, focal, 0, 959.5, 539.5, 1]
+        entries.append(
+            {
+                "class_name": "PinholeCameraParameters",
+                "extrinsic": np.linalg.inv(matrix).T.ravel().tolist(),
+                "intrinsic": {"width": 1920, "height": 1080, "intrinsic_matrix": intrinsic},
+            }
+        )
+    path.write_text(json.dumps({"class_name": "PinholeCameraTrajectory", "parameters": entries}))
+
+
+def instant_ngp(poses, fps, path):
+    keys = []
+    for n, (matrix, fov) in enumerate(zip(matrices(poses), poses.fov), 1):
+        # As nerf_matrix_to_ngp() of its source does it.
+        matrix = matrix[:3] * [1, -1, -1, 1]
+        matrix[:, 3] = matrix[:, 3] * 0.33 + 0.5
+        matrix = matrix[[1, 2, 0]]
+        w, x, y, z = turns.of_matrices(matrix[None, :, :3])[0].tolist()
+        key = {"R": [x, y, z, w], "T": matrix[:, 3].tolist(), "fov": float(fov), "timestamp": n / fps}
+        keys.append(key | {"slice": 0, "scale": 1, "aperture_size": 0})
+    path.write_text(json.dumps({"loop": False, "time": 0, "spline_order": 1, "path": keys}))
+
+
 def colmap(poses, fps, path):
     path.mkdir(exist_ok=True)
     cameras, images = ["# cameras"], ["# images"]
@@ -294,6 +326,7 @@ cue.KeyFrames = frames
 
 WRITERS = {
     "glb": gltf, "usda": usda, "nerfstudio": nerfstudio, "transforms": transforms, "cameras": cameras,
-    "tum": tum, "kitti": kitti, "colmap": colmap, "osg": osg, "chan": chan, "csv": csv,
+    "tum": tum, "kitti": kitti, "matrices": numpy_, "open3d": open3d,
+    "instant-ngp": instant_ngp, "colmap": colmap, "osg": osg, "chan": chan, "csv": csv,
     "blender": script(BLENDER), "vtk": script(VTK), "paraview": script(PARAVIEW),
 }  # fmt: skip

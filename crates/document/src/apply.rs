@@ -261,7 +261,7 @@ fn reverse(content: &mut Content) -> Result<()> {
     content.replace_path(block::reverse(path)?, |point| (begin - point) % count)
 }
 
-/// Another axis upright, with the same poses.
+/// Another up axis, with the same poses.
 fn change_up(content: &mut Content, up: Up) -> Result<()> {
     let changed = change_up::change_up(&content.path, up)?;
     let selection = content.selection;

@@ -116,7 +116,7 @@ impl Document {
     /// As [`Document::clearance`], for what cannot do without an object.
     ///
     /// # Errors
-    /// As [`Document::check`]; [`vides_engine::Error::Argument`] if there is none.
+    /// As [`Document::check`]; [`vides_engine::Error::Argument`] without an object.
     pub fn solid(&self, object: Option<&Mesh>) -> Result<Clearance> {
         self.clearance(object)?
             .ok_or_else(|| Invalid::NoGeometry.into())

@@ -19,7 +19,7 @@ pub struct CopiedNodes {
     pub nodes: Vec<Node>,
     /// The numbers there of those that are in none of the others.
     pub tops: Vec<usize>,
-    /// Which of them aimed at what is not there, by name, and at what.
+    /// Those whose aim does not exist, with its name.
     pub without_aim: Vec<(String, String)>,
     /// What was wrong with files of meshes, which are empty then or have changed.
     pub warnings: Vec<Error>,
@@ -43,7 +43,7 @@ impl Document {
     }
 
     /// The nodes in such a text, to be added in `parent`; `None` if it has none. Names that are
-    /// taken get a number, aims among them go along, others find their node by its name.
+    /// taken get a number, aims among them are kept, others find their node by its name.
     ///
     /// # Errors
     /// `ErrorKind::Format` with line and reason; `ErrorKind::Memory`.
@@ -92,7 +92,7 @@ impl Document {
     }
 }
 
-/// This name if no node has it, else with a number.
+/// This name if it is free, else with a number.
 fn free_name(scene: &Scene, others: &HashSet<String>, name: String) -> String {
     match scene.find(&name).is_none() && !others.contains(&name) {
         true => name,

@@ -216,8 +216,8 @@ impl Edit {
         }
     }
 
-    /// What gives a point a shape, where `shape` sets its preset or parameters of its own: tangents
-    /// of its own, which would hide them, go before.
+    /// The edits that give a point the preset or the custom parameters that `shape` sets: custom
+    /// tangents, which would hide them, are removed first.
     pub fn shaped(path: &CameraPath, at: usize, shape: Self) -> impl Iterator<Item = Self> + use<> {
         let point = path.points.get(at);
         let hides = point.is_some_and(|point| point.tangents.is_some());

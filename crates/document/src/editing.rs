@@ -188,7 +188,7 @@ impl Document {
     }
 
     /// Does an edit: one step of the history, or part of the open one, unless it changes nothing.
-    /// Another node to edit by itself is no step: it goes back with the next one.
+    /// The choice of another node alone is no step: undo restores it together with the next one.
     ///
     /// # Errors
     /// Why the edit is impossible; the document is unchanged then.
@@ -289,8 +289,8 @@ impl Document {
         self.open.is_some()
     }
 
-    /// Opens the newest step again, so that what follows is taken back together with it. False if
-    /// there is none, or if it was undone.
+    /// Opens the newest step again, so that what follows is undone together with it. False without
+    /// a step, or if it was undone.
     pub fn reopen_step(&mut self) -> bool {
         self.end_step();
         self.open = self.history.pop();
@@ -348,12 +348,12 @@ impl Document {
         }
     }
 
-    /// Ends the open step and undoes the last one, selection included. False if there is none.
+    /// Ends the open step and undoes the last one, selection included. False without a step.
     pub fn undo(&mut self) -> bool {
         self.travel(false)
     }
 
-    /// Redoes the step undone last, selection included. False if there is none.
+    /// Redoes the step undone last, selection included. False without a step.
     pub fn redo(&mut self) -> bool {
         self.travel(true)
     }

@@ -10,8 +10,8 @@ use super::step_name::StepName;
 use crate::error::{Result, vec_with_room};
 
 impl Document {
-    /// Removes points, given in ascending order, as one step. The points beside them are reached
-    /// as long after each other as before.
+    /// Removes points, given in ascending order, as one step. The points before and after
+    /// them stay as far apart in time.
     ///
     /// # Errors
     /// `ErrorKind::Range` if there are no such points; `ErrorKind::Argument` if fewer than two

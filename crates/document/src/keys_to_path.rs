@@ -15,7 +15,7 @@ use vides_engine::math::orientation::quaternion_from_view;
 use vides_engine::math::quaternion::{angle, continue_sign};
 use vides_engine::path::{CameraPath, Plan, Pose};
 
-/// How near the path comes to the poses: shares of the half size, degrees.
+/// How near the path comes to the poses: shares of `half_size`, degrees.
 const NEAR: f64 = 1e-3;
 const ANGLE: f64 = 0.1;
 
@@ -42,7 +42,7 @@ pub struct KeysToPath {
 }
 
 impl Document {
-    /// How near a path or keys come if nobody says it.
+    /// How near a path or keys come by default.
     #[must_use]
     pub fn usual_tolerance(&self) -> Tolerance {
         let edited = self.edited_scene();
@@ -279,7 +279,7 @@ mod tests {
     }
 
     /// A group's keys become a path, and that becomes few keys; both stay as near as asked, and
-    /// what is told is what it is.
+    /// the reported deviation is the real one.
     #[test]
     fn keys_of_a_group_become_a_path_and_few_keys_again() {
         let mut group = Node::new("drone", vides_engine::scene::Kind::Group);

@@ -191,7 +191,7 @@ struct Files {
 }
 
 impl Files {
-    /// Reads the mesh of a node, or takes it from the node that has it; reports faults.
+    /// Reads the mesh of a node, or takes it from a node with the same file; reports faults.
     fn set_mesh(
         &mut self,
         scene: &mut Scene,

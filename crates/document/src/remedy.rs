@@ -23,11 +23,11 @@ use vides_engine::path::{
 /// A section's frames grow by at most this factor.
 const MOST: f64 = 8.0;
 
-/// So much slower than just at the limit, so that whole frames and what slows beside do not leave it
-/// at it.
+/// Factor by which a cure goes below the limit, since whole frames and changes nearby would leave it
+/// at the limit.
 const MARGIN: f64 = 1.05;
 
-/// How far ahead a view that jumped shall look, in half sizes.
+/// How far ahead a view that jumped looks, in units of `half_size`.
 const AHEAD: f64 = 0.1;
 
 /// Share of a section's time in which it comes to rest.
@@ -45,7 +45,7 @@ impl Document {
     /// turned so that all of it is; where it is too large for that, to its middle. Where the way is
     /// too near `object` or goes through it, the whole way is led clear of it
     /// ([`vides_engine::planner::avoid()`]), with the limit of the clearance. Where the camera is too
-    /// fast, accelerates or jerks too much the pace is computed anew
+    /// fast, accelerates or jerks too much, the pace is replanned
     /// ([`vides_engine::planner::retime()`]).
     ///
     /// # Errors
@@ -297,7 +297,7 @@ fn is_better(kind: FindingKind, before: &[Finding], after: &[Finding]) -> bool {
     after < before || after - left <= before - many && (left < many || rest < much)
 }
 
-/// An orientation with something of its own changed.
+/// An orientation with a custom value changed.
 fn owned(
     path: &CameraPath,
     key: (usize, usize),

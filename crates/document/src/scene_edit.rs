@@ -1,4 +1,4 @@
-//! Edits of the scene: a part becomes what it is to be, with all that must go along.
+//! Edits of the scene: a part is replaced, together with all that must follow.
 //!
 //! The path that is edited lives beside the scene ([`super::edited_scene`]), which has it as it was
 //! when its node was chosen. Where an edit needs it as it is now, it is put there first.
@@ -48,7 +48,7 @@ fn present(content: &Content) -> Result<Scene> {
     edited(content)?.with(&content.path)
 }
 
-/// Makes a part of the scene what it says, unless it is so.
+/// Replaces a part of the scene, unless it is equal.
 fn put(content: &mut Content, part: Part) -> Result<()> {
     match edited(content)?.scene().has(&part) {
         true => Ok(()),
@@ -56,7 +56,7 @@ fn put(content: &mut Content, part: Part) -> Result<()> {
     }
 }
 
-/// The same, with all that must go along.
+/// The same, with all that must follow.
 pub(super) fn part(content: &mut Content, part: Part) -> Result<()> {
     let own = edited(content)?.node();
     match part {
@@ -264,7 +264,7 @@ pub(super) fn add(content: &mut Content, nodes: Vec<Node>) -> Result<()> {
     }
 }
 
-/// Copies nodes with all that is in them. Aims among them go along; pins stay.
+/// Copies nodes with all that is in them. Aims among them are copied; pins are not.
 pub(super) fn copy(content: &mut Content, which: &[usize]) -> Result<()> {
     let scene = present(content)?;
     let within = scene.with_all_in(which)?;

@@ -117,7 +117,7 @@ fn exchange<T: Table>(
     }
 }
 
-/// What is there with a checked value, `own` being a copy of it; none if it has it.
+/// `own`, a copy of `there`, with a checked value; none if nothing changes.
 fn changed<T: Table>(
     there: &T,
     mut own: T,

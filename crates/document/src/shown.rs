@@ -102,7 +102,7 @@ impl Document {
     }
 
     /// All present poses of the shown camera, one for each frame of the path; in a scene one for
-    /// each whole step of its range ([`Scene::frame_range`]), as a file has them.
+    /// each whole step of its range ([`Scene::frame_range`]), as in a file.
     ///
     /// # Errors
     /// `ErrorKind::Argument` without a camera; `ErrorKind::Limit` for too many frames;

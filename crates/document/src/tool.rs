@@ -56,7 +56,7 @@ pub enum ToolInput {
     None,
     /// A path to insert.
     Block(Box<CameraPath>),
-    /// Recorded poses, with their times in seconds, if any, and their upright axis.
+    /// Recorded poses, with their times in seconds, if any, and their up axis.
     Poses(Vec<Pose>, Option<Vec<f64>>, Up),
     /// The positions of a line drawn by hand.
     Stroke(Vec<DVec3>),
@@ -180,7 +180,7 @@ impl Tool {
         poses > POSES
     }
 
-    /// Whether what it makes is a flight of its own, to be looked at from its beginning.
+    /// Whether it makes a new flight, to be shown from its beginning.
     #[must_use]
     pub const fn makes_flight(&self) -> bool {
         matches!(self.kind, Kind::Tour)
@@ -378,7 +378,7 @@ impl Tool {
         Some(Cage::new(bounds, &deformation))
     }
 
-    /// The points as a path of their own, with this document's info.
+    /// The points as a separate path, with this document's info.
     ///
     /// # Errors
     /// `ErrorKind::Range` if there are no such points; `ErrorKind::Memory`.

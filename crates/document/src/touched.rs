@@ -130,7 +130,7 @@ impl<'a> Side<'a> {
         &self.scene().nodes()[at]
     }
 
-    /// Whether its node `at`, but for its path, is as node `was` of another side.
+    /// Whether its node `at`, except for its path, equals node `was` of another side.
     fn node_is(self, at: usize, other: Self, was: usize) -> bool {
         let (new, old) = (self.node(at), other.node(was));
         new.name == old.name

@@ -11,14 +11,14 @@ use std::sync::Arc;
 use crate::error::Result;
 use crate::property::{SameBits, Stored};
 
-/// So many elements are compared one by one.
+/// Below this length, elements are compared one by one, without a table.
 const FEW: usize = 16;
 /// Elements of a block. A copy and a change cost as much as there are blocks, and one block's
 /// pointers: near the least of both sums at some thousand elements.
 const BLOCK: usize = 64;
 
 /// A list whose copies share its elements: a copy costs a pointer for every 64 elements, and
-/// an element is copied when it changes while another list has it, too.
+/// an element is copied when it changes while another list shares it.
 #[derive(Clone)]
 pub struct SharedList<T> {
     /// All but the last one are full.
@@ -38,7 +38,7 @@ impl<T> SharedList<T> {
         }
     }
 
-    /// Makes room for so many more elements.
+    /// Reserves memory for `more` elements.
     ///
     /// # Errors
     /// [`crate::Error::Memory`].
@@ -86,7 +86,7 @@ impl<T> SharedList<T> {
     /// An element as it is shared.
     ///
     /// # Panics
-    /// If there is none of this number.
+    /// If `at` is out of bounds.
     #[must_use]
     pub fn get_shared(&self, at: usize) -> &Arc<T> {
         &self.blocks[at / BLOCK][at % BLOCK]
@@ -95,7 +95,7 @@ impl<T> SharedList<T> {
     /// Some of the elements.
     ///
     /// # Panics
-    /// If there are none at some of these numbers.
+    /// If the range is out of bounds.
     pub fn range(&self, which: impl RangeBounds<usize>) -> Iter<'_, T> {
         Iter {
             list: self,
@@ -140,7 +140,7 @@ impl<T> SharedList<T> {
     /// Puts another element in the place of one.
     ///
     /// # Panics
-    /// If there is none of this number.
+    /// If `at` is out of bounds.
     pub fn set(&mut self, at: usize, element: impl Into<Arc<T>>) {
         Arc::make_mut(&mut self.blocks[at / BLOCK])[at % BLOCK] = element.into();
     }
@@ -244,7 +244,7 @@ impl<T> SharedList<T> {
     /// Removes an element.
     ///
     /// # Panics
-    /// If there is none of this number.
+    /// If `at` is out of bounds.
     pub fn remove(&mut self, at: usize) -> Arc<T> {
         let element = Arc::clone(self.get_shared(at));
         let behind = self.split_off(at + 1);
@@ -294,7 +294,7 @@ impl<T> SharedList<T> {
     /// Takes elements out.
     ///
     /// # Panics
-    /// If there are none at some of these numbers.
+    /// If the range is out of bounds.
     pub fn drain(&mut self, which: impl RangeBounds<usize>) -> std::vec::IntoIter<Arc<T>> {
         let which = self.numbers(&which);
         let behind = self.split_off(which.end);
@@ -305,7 +305,7 @@ impl<T> SharedList<T> {
 }
 
 impl<T: 'static> SharedList<T> {
-    /// What stands for a list where there is none.
+    /// An empty list, for where no list exists.
     pub const EMPTY: &'static Self = &Self::new();
 }
 

@@ -5,8 +5,8 @@ use std::path::Path;
 use super::error::{Error, NAMES, Result};
 use super::format::Format;
 use super::{
-    ascii, cameras, chan, colmap, csv, euroc, gltf, html, json, kitti, nerfstudio, osg, script,
-    transforms, tum, usd, vid,
+    ascii, cameras, chan, colmap, csv, euroc, gltf, html, json, kitti, matrices, nerfstudio, ngp,
+    open3d, osg, polycam, record3d, script, supersplat, transforms, tum, usd, vid,
 };
 
 /// All formats, in the order in which they are offered.
@@ -26,10 +26,16 @@ pub fn formats() -> &'static [&'static Format] {
         &html::HTML,
         &nerfstudio::NERFSTUDIO,
         &transforms::TRANSFORMS,
+        &ngp::NGP,
         &cameras::CAMERAS,
+        &supersplat::SUPERSPLAT,
         &tum::TUM,
         &euroc::EUROC,
         &kitti::KITTI,
+        &matrices::MATRICES,
+        &open3d::OPEN3D,
+        &record3d::RECORD3D,
+        &polycam::POLYCAM,
         &colmap::COLMAP,
         &osg::OSG,
         &chan::CHAN,

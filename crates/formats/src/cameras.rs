@@ -65,7 +65,7 @@ fn read(source: &Source, _: &Options, report: &mut Report) -> Result<Content> {
 
 fn write(flight: &mut Flight<'_>, out: &mut dyn Write, report: &mut Report) -> Result<()> {
     report.add(Loss::Times);
-    let [width, height] = flight.options().size;
+    let [width, height] = flight.pixels();
     flight.write_poses(b"[".into(), out, |flight, text, index, pose| {
         let comma = if index == 0 { "" } else { "," };
         // Writing into a vector cannot fail.

@@ -24,7 +24,7 @@ pub(super) const DEFAULT_ZOOM: f64 = 24.0;
 pub(super) const DEFAULT_FPS: f64 = 25.0;
 
 /// Fewer poses in a second are not taken as frames.
-const SEEN_AS_MOTION: f64 = 12.0;
+pub(super) const SEEN_AS_MOTION: f64 = 12.0;
 
 /// What a file holds.
 #[derive(Debug)]
@@ -278,13 +278,9 @@ impl Recording {
         report: &mut Report,
     ) -> Result<Scene> {
         let space = self.space(up)?;
-        // Of a camera on one spot there is no diagonal.
-        let extent = match self.diagonal() {
-            diagonal if diagonal > 0.0 => diagonal,
-            _ => space.half_size,
-        };
+        let usual = Tolerance::usual(&self.poses);
         let tolerance = Tolerance {
-            position: options.tolerance.unwrap_or(1e-3 * extent),
+            position: options.tolerance.unwrap_or(usual.position),
             angle: options.angle,
         };
         let choice = fit::Options {
@@ -308,14 +304,6 @@ impl Recording {
             turned,
         });
         Ok(Scene::of_path(made.path)?)
-    }
-
-    /// Of the bounds of the positions.
-    fn diagonal(&self) -> f64 {
-        let positions = || self.poses.iter().map(Pose::position);
-        let low = positions().fold(DVec3::INFINITY, DVec3::min);
-        let high = positions().fold(DVec3::NEG_INFINITY, DVec3::max);
-        low.distance(high)
     }
 }
 
@@ -343,7 +331,7 @@ fn usual(rate: f64) -> f64 {
 }
 
 /// Frames per second: what the file says first, then the user, else `otherwise`. A rate beyond the
-/// range is told.
+/// range is reported.
 pub(super) fn rate(
     said: &[Option<f64>],
     options: &Options,

@@ -110,6 +110,37 @@ impl Continued {
     }
 }
 
+/// instant-ngp puts the world of a `transforms.json` into a cube by this scale and then this offset,
+/// unless the file names others.
+const NGP_SCALE: f64 = 0.33;
+const NGP_OFFSET: f64 = 0.5;
+
+/// The x, y and z axes of instant-ngp are the y, z and x axes of `transforms.json`.
+const NGP_TURN: DQuat = DQuat::from_xyzw(-0.5, -0.5, -0.5, 0.5);
+
+/// A rotation and a place in the world of `transforms.json` as in the cube of instant-ngp.
+#[must_use]
+pub fn to_ngp(rotation: DQuat, place: DVec3) -> (DQuat, DVec3) {
+    let place = DVec3::new(place.y, place.z, place.x) * NGP_SCALE + NGP_OFFSET;
+    (NGP_TURN * rotation, place)
+}
+
+/// The inverse of [`to_ngp`].
+#[must_use]
+pub fn of_ngp(rotation: DQuat, place: DVec3) -> (DQuat, DVec3) {
+    let place = (place - NGP_OFFSET) / NGP_SCALE;
+    (
+        NGP_TURN.conjugate() * rotation,
+        DVec3::new(place.z, place.x, place.y),
+    )
+}
+
+/// SuperSplat turns a PLY by half a turn about z: a vector of either world in the other.
+#[must_use]
+pub fn supersplat(v: DVec3) -> DVec3 {
+    DVec3::new(-v.x, -v.y, v.z)
+}
+
 /// Takes the axes of a camera to ours.
 fn to_ours(axes: CameraAxes) -> DQuat {
     match axes {

@@ -27,6 +27,8 @@ pub struct Imported {
     pub format: &'static str,
     /// What was lost, and how well a path was fitted.
     pub report: Report,
+    /// Of a list of poses the time of the first in the file, in seconds.
+    pub start: Option<f64>,
 }
 
 /// Writes into a file, or the files of a folder, each replaced only when it is whole.
@@ -44,7 +46,9 @@ pub fn export(
     let mut report = Report::default();
     let mut flight = Flight::new(document, options, format, progress)?;
     if !format.is_folder() {
-        save_with(file, &mut |out| format.write(&mut flight, out, &mut report))?;
+        save_with(file, &mut |out| {
+            format.write(file, &mut flight, out, &mut report)
+        })?;
         return Ok(report);
     }
     // A file of the folder may stand for it.
@@ -100,7 +104,7 @@ pub fn export_to(
     }
     let mut report = Report::default();
     let mut flight = Flight::new(document, options, format, progress)?;
-    format.write(&mut flight, out, &mut report)?;
+    format.write(Path::new(""), &mut flight, out, &mut report)?;
     Ok(report)
 }
 
@@ -117,7 +121,7 @@ pub fn losses(document: &SceneDocument, format: &Format, options: &Options) -> R
             format.write_by(write, &mut flight, &mut io::sink(), &mut report)?;
         }
     } else {
-        format.write(&mut flight, &mut io::sink(), &mut report)?;
+        format.write(Path::new(""), &mut flight, &mut io::sink(), &mut report)?;
     }
     Ok(report)
 }
@@ -138,7 +142,7 @@ pub fn read(
             Some(format) => format,
             None => recognised(source)?,
         };
-        if source.is_folder && !format.is_folder() {
+        if source.is_folder && !format.is_folder() && !format.reads_folder {
             let directory = io::Error::other(vides_document::NotAFile::Directory);
             return Err(Error::Document(DocumentError::Io {
                 place: source.name.clone(),
@@ -162,7 +166,7 @@ fn recognised(source: &Source) -> Result<&'static Format> {
     let found: Vec<_> = read.iter().copied().filter(fits).collect();
     let file = Path::new(&source.name);
     match *found {
-        [] => match Foreign::of(&source.name, &source.bytes, source.beginning()) {
+        [] => match Foreign::of(source) {
             Some(foreign) => Err(Error::Foreign(foreign)),
             None => named(file, &read).ok_or(Error::NotRecognised),
         },
@@ -189,14 +193,20 @@ fn named(file: &Path, among: &[&'static Format]) -> Option<&'static Format> {
 pub fn import(source: &Source, format: Option<&Format>, options: &Options) -> Result<Imported> {
     let mut report = Report::default();
     let (format, content) = read(source, format, options, &mut report)?;
+    let mut start = None;
     let document = match content {
         Content::Scene(document) => with_path(*document, options, &mut report),
-        Content::Poses(recording) => recording.into_scene(options, &mut report),
+        Content::Poses(recording) => {
+            let seconds = recording.seconds.as_ref().and_then(|all| all.first());
+            start = Some(seconds.copied().unwrap_or(0.0));
+            recording.into_scene(options, &mut report)
+        }
     };
     Ok(Imported {
         document: document.map_err(|error| error.at(&source.name))?,
         format,
         report,
+        start,
     })
 }
 

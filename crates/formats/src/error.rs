@@ -8,7 +8,7 @@ use super::foreign::Foreign;
 use super::options::OPTIONS;
 
 /// The names of all formats, in the order in which they are offered, which errors tell.
-pub(super) const NAMES: [&str; 20] = [
+pub(super) const NAMES: [&str; 26] = [
     "vid",
     "ascii",
     "csv",
@@ -22,10 +22,16 @@ pub(super) const NAMES: [&str; 20] = [
     "html",
     "nerfstudio",
     "transforms",
+    "instant-ngp",
     "cameras",
+    "supersplat",
     "tum",
     "euroc",
     "kitti",
+    "matrices",
+    "open3d",
+    "record3d",
+    "polycam",
     "colmap",
     "osg",
     "chan",
@@ -64,18 +70,18 @@ pub enum Error {
     NoClip {
         /// The name.
         wanted: Text,
-        /// Those that there are.
+        /// The existing names.
         known: Text,
     },
     /// The frames asked for are not there.
     #[error("the frames are {first} to {last}")]
     NoFrames {
-        /// The first one that there is.
+        /// The first existing frame.
         first: f64,
         /// The last one.
         last: f64,
     },
-    /// An option that there is not.
+    /// An unknown option.
     #[error("there is no option \"{0}\"; options are {names}", names = names(OPTIONS.iter().map(|row| row.name)))]
     NoOption(Text),
     /// An option cannot have this value.
@@ -126,7 +132,7 @@ pub enum Error {
     /// The format holds a whole document, of which nothing can be chosen.
     #[error("{0}: a .vid file holds all of a document as it is")]
     Whole(&'static str),
-    /// The format has another axis upright.
+    /// The format has another up axis.
     #[error("in the format {format} the {up} axis stands upright")]
     OtherUp {
         /// The format.
@@ -134,7 +140,10 @@ pub enum Error {
         /// Its axis.
         up: &'static str,
     },
-    /// Progress was told to end.
+    /// Poses at their own times, of another format or at a rate.
+    #[error("times=own is for the formats tum, euroc, osg, kitti and matrices, without fps")]
+    OwnTimes,
+    /// The progress callback ended it.
     #[error("it was stopped")]
     Stopped,
     /// In a file.
@@ -292,6 +301,8 @@ pub enum Wanted {
     Value,
     Literal(&'static str),
     ImagePoints,
+    LastRow,
+    Matrices,
 }
 
 impl fmt::Display for Wanted {
@@ -305,6 +316,8 @@ impl fmt::Display for Wanted {
             Self::Object => "an object",
             Self::Numbers(count) => return write!(f, "{count} numbers"),
             Self::Matrix => "a matrix of 4 × 4 numbers",
+            Self::LastRow => "a matrix whose last row is 0 0 0 1",
+            Self::Matrices => "an array of N × 4 × 4 or N × 3 × 4 numbers",
             Self::ImagePoints => "the points of the image before, or an empty line",
             Self::Rotation => "a matrix that turns and does not mirror",
             Self::Name => "a name",

@@ -28,6 +28,7 @@ pub(super) static EUROC: Format = Format {
     },
     read: Some(|source, _, report| read(source, report)),
     write: Some(write),
+    own_times: true,
     ..Format::PLAIN
 };
 
@@ -76,7 +77,7 @@ fn write(flight: &mut Flight<'_>, out: &mut dyn Write, report: &mut Report) -> R
                 q_RS_w [], q_RS_x [], q_RS_y [], q_RS_z []\n";
     flight.write_poses(head.as_bytes().into(), out, |flight, text, index, pose| {
         let [qx, qy, qz, qw] = convention::rotation(pose, CameraAxes::OpenCv).to_array();
-        let seconds = flight.options().start + flight.seconds(index);
+        let seconds = flight.time(index);
         // Writing into a vector cannot fail.
         let _ = write!(text, "{:.0},", seconds * 1e9);
         rows::push(text, pose.vrp.into_iter().chain([qw, qx, qy, qz]), ",");

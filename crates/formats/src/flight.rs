@@ -1,23 +1,30 @@
 //! What is written: a document, the node and the frames of it, in the axes of the file.
 
+use std::cell::OnceCell;
 use std::io::Write;
 
 use glam::{DAffine3, DMat4, DQuat, DVec3};
 use vides_document::error::{Place as ScenePlace, TooMany, vec_with_room};
 use vides_document::{Info, SceneDocument};
 use vides_engine::limits::MAX_FRAMES;
-use vides_engine::path::{Pose, Up};
-use vides_engine::scene::{FollowPath, Kind, Node, NodeState, Scene, Warnings};
+use vides_engine::path::{Pose, Space, Up};
+use vides_engine::scene::{
+    Camera, Channel, FollowPath, Kind, Node, NodeState, Scene, Track, Warnings,
+};
 
 use super::blocks::{self, Progress};
 use super::convention::{self, focal_pixels};
 use super::error::{Error, Result};
 use super::format::{Format, Holds};
 use super::loss::{Loss, Report};
-use super::options::Options;
+use super::options::{DEFAULT_SIZE, Options, Times};
+use super::space;
 
 /// A share of a frame that is rounding.
 const HAIR: f64 = 1e-6;
+
+/// So many half sizes from the origin, 32 bits are too coarse.
+const FAR: f64 = 16.0;
 
 /// A document and the frames that are written of it.
 pub struct Flight<'a> {
@@ -29,7 +36,11 @@ pub struct Flight<'a> {
     step: f64,
     count: usize,
     fps: f64,
+    /// The scene frames of the poses where they are not evenly spaced.
+    own: Option<Vec<f64>>,
     up: Up,
+    /// The cube around everything, once it was asked for.
+    bounds: OnceCell<Space>,
     progress: Option<Progress<'a>>,
 }
 
@@ -86,6 +97,13 @@ impl<'a> Flight<'a> {
                 up: fixed.name(),
             });
         }
+        let own = match options.times {
+            Some(Times::Own) if !format.own_times || options.fps.is_some() => {
+                return Err(Error::OwnTimes);
+            }
+            Some(Times::Own) => keys(&scene.nodes()[node], from, to),
+            _ => None,
+        };
         // Report what cannot be sampled before any file is touched.
         scene.prepare(from)?;
         Ok(Self {
@@ -94,9 +112,11 @@ impl<'a> Flight<'a> {
             node,
             first: from,
             step,
-            count: frames as usize,
+            count: own.as_ref().map_or(frames as usize, Vec::len),
+            own,
             fps,
             up,
+            bounds: OnceCell::new(),
             progress: Some(progress),
         })
     }
@@ -146,7 +166,10 @@ impl<'a> Flight<'a> {
     /// The scene frame of a pose, counted from 0.
     #[must_use]
     pub fn frame(&self, index: usize) -> f64 {
-        self.first + self.step * index as f64
+        match &self.own {
+            Some(frames) => frames[index],
+            None => self.first + self.step * index as f64,
+        }
     }
 
     /// The scene frame of the first pose, and how many frames lie between two.
@@ -164,13 +187,27 @@ impl<'a> Flight<'a> {
     /// The time of a pose in seconds, the first at 0.
     #[must_use]
     pub fn seconds(&self, index: usize) -> f64 {
-        convention::seconds(index, self.fps)
+        match &self.own {
+            Some(frames) => (frames[index] - frames[0]) / self.fps,
+            None => convention::seconds(index, self.fps),
+        }
+    }
+
+    /// The time of a pose in seconds as the file counts them.
+    pub(crate) fn time(&self, index: usize) -> f64 {
+        self.options.start.unwrap_or(0.0) + self.seconds(index)
     }
 
     /// Width and height of a picture in pixels.
     #[must_use]
+    pub fn pixels(&self) -> [u32; 2] {
+        self.options.size.unwrap_or(DEFAULT_SIZE)
+    }
+
+    /// The same as numbers to calculate with.
+    #[must_use]
     pub fn size(&self) -> [f64; 2] {
-        self.options.size.map(f64::from)
+        self.pixels().map(f64::from)
     }
 
     /// The focal length of a zoom in pixels.
@@ -196,6 +233,46 @@ impl<'a> Flight<'a> {
     pub fn to_file(&self) -> DAffine3 {
         DAffine3::from_quat(convention::turn(self.document_up(), self.up))
             * DAffine3::from_scale(DVec3::splat(self.options.scale))
+    }
+
+    /// The near and far plane of a camera in the file's unit: its own, or those that show
+    /// everything if nobody set them.
+    pub(crate) fn planes(&self, camera: Camera) -> Result<[f64; 2]> {
+        let Camera { near, far } = match camera == Camera::default() {
+            true => Camera::for_size(self.bounds()?.half_size),
+            false => camera,
+        };
+        // As files of 32 bits hold them.
+        let scaled = |plane: f64| (plane * self.options.scale).clamp(1e-30, 1e30);
+        Ok([near, far].map(scaled))
+    }
+
+    /// The smallest cube around everything, in the document's coordinates.
+    pub(crate) fn bounds(&self) -> Result<Space> {
+        if let Some(bounds) = self.bounds.get() {
+            return Ok(*bounds);
+        }
+        let object = self.info().object.iter().map(|point| point.position);
+        let bounds = space::around(self.scene(), object, self.document_up())?;
+        Ok(*self.bounds.get_or_init(|| bounds))
+    }
+
+    /// What places near this one count from in a file of 32 bits; zero unless it is far from the
+    /// origin for the size of everything. `scale` is the length in the world of one unit there.
+    ///
+    /// A whole number of steps, so that 32 bits hold it exactly.
+    pub(crate) fn origin(&self, place: DVec3, scale: f64) -> Result<DVec3> {
+        let half_size = self.bounds()?.half_size * self.options.scale / scale;
+        if !(place.length() > FAR * half_size) {
+            return Ok(DVec3::ZERO);
+        }
+        let step = half_size.log2().floor().exp2();
+        let origin = (place / step).round() * step;
+        Ok(if origin.is_finite() {
+            origin
+        } else {
+            DVec3::ZERO
+        })
     }
 
     /// A place of the document in the file's coordinates.
@@ -377,7 +454,14 @@ impl<'a> Flight<'a> {
     pub fn fill_states(&self, node: usize, from: usize, states: &mut [NodeState]) -> Result<()> {
         let scene = self.scene();
         let mut warnings = Warnings::default();
-        scene.sample(node, self.frame(from), self.step, states, &mut warnings)?;
+        if self.own.is_none() {
+            scene.sample(node, self.frame(from), self.step, states, &mut warnings)?;
+        } else {
+            for (at, state) in states.iter_mut().enumerate() {
+                let state = std::slice::from_mut(state);
+                scene.sample(node, self.frame(from + at), 1.0, state, &mut warnings)?;
+            }
+        }
         // It may be one that this depends on.
         let failed = warnings.first().map_or(node, |(failed, _)| failed);
         succeeded(warnings, &scene.nodes()[failed])
@@ -441,6 +525,19 @@ impl<'a> Flight<'a> {
         self.progress = progress;
         done
     }
+}
+
+/// The frames of a node's keys of position and rotation, between two; none if it has no keys there.
+fn keys(node: &Node, from: f64, to: f64) -> Option<Vec<f64>> {
+    let tracks = [Channel::Position, Channel::Rotation].map(|channel| node.keys().track(&channel));
+    let frames = tracks.into_iter().flatten().flat_map(Track::frames);
+    let mut frames: Vec<f64> = frames
+        .copied()
+        .filter(|at| (from..=to).contains(at))
+        .collect();
+    frames.sort_unstable_by(f64::total_cmp);
+    frames.dedup();
+    (!frames.is_empty()).then_some(frames)
 }
 
 /// Fails with the node's name if something went wrong while the rest went on.

@@ -1,9 +1,11 @@
 //! Files of other programs that are not read, each with the way to one that is.
 //!
-//! A name or a first line identifies a file; the rest is not parsed.
+//! The content identifies a file, its ending only where the content says nothing. Nothing is parsed.
 
 use std::fmt;
 use std::path::Path;
+
+use super::source::Source;
 
 /// A kind of file that is not read.
 #[derive(Debug, PartialEq, Eq)]
@@ -12,12 +14,12 @@ pub struct Foreign {
     pub name: &'static str,
     /// How its cameras come here.
     pub way: Way,
-    /// Endings that a file with this content has; none: whatever its name.
-    endings: &'static [&'static str],
-    /// One of these is at the beginning; none: the ending says it all.
+    /// The file begins with one of these, after blanks.
     begins: &'static [&'static [u8]],
-    /// One of these is in the first lines, where the beginning alone would not do.
+    /// One of these is near the beginning or the end.
     holds: &'static [&'static str],
+    /// Its endings, which decide where the content says nothing.
+    endings: &'static [&'static str],
 }
 
 /// How cameras come out of a file that is not read.
@@ -27,10 +29,22 @@ pub enum Way {
     Gltf,
     /// A list of poses, from the program that made it.
     Poses,
-    /// COLMAP's model as text.
-    ColmapText,
+    /// A list of poses in metres; the file has degrees of longitude and latitude.
+    Metres,
+    /// Nuke's list of poses.
+    Chan,
+    /// COLMAP's model as text, by this command.
+    Colmap(&'static str),
+    /// `transforms.json`, by this command.
+    Transforms(&'static str),
     /// The poses of a recording, by a program that reads such logs.
     Log,
+    /// None: it has points only.
+    NoCameras,
+    /// By unpacking it.
+    Unpack,
+    /// The metadata in the archive.
+    Metadata,
 }
 
 impl fmt::Display for Way {
@@ -38,107 +52,137 @@ impl fmt::Display for Way {
         f.write_str(match self {
             Self::Gltf => "export glTF from the program that made it",
             Self::Poses => "export the poses, as TUM, CSV or transforms.json for example",
-            Self::ColmapText => "export the model as text with \"colmap model_converter\"",
+            Self::Metres => "write its poses in metres, as TUM for example",
+            Self::Metadata => {
+                "unpack its metadata, with \"unzip -p in.r3d metadata > metadata.json\""
+            }
+            Self::Chan => "export the camera as .chan from Nuke",
+            Self::Colmap(command) => {
+                return write!(f, "export the model as text with \"{command}\"");
+            }
+            Self::Transforms(command) => {
+                return write!(f, "make transforms.json with \"{command}\"");
+            }
             Self::Log => "extract the poses, as TUM with \"evo_traj\" for example",
+            Self::NoCameras => "they have points and no cameras",
+            Self::Unpack => "unpack it",
         })
     }
 }
 
-const fn magic(name: &'static str, way: Way, begins: &'static [&'static [u8]]) -> Foreign {
-    Foreign {
-        name,
-        way,
-        endings: &[],
-        begins,
-        holds: &[],
-    }
-}
-
-const fn text(name: &'static str, way: Way, holds: &'static [&'static str]) -> Foreign {
-    Foreign {
-        name,
-        way,
-        endings: &[],
-        begins: &[],
-        holds,
-    }
-}
-
-const fn ending(name: &'static str, way: Way, endings: &'static [&'static str]) -> Foreign {
-    Foreign {
-        name,
-        way,
-        endings,
-        begins: &[],
-        holds: &[],
-    }
-}
-
-static ALL: [Foreign; 32] = [
-    magic("FBX", Way::Gltf, &[b"Kaydara FBX Binary", b"; FBX"]),
-    magic("Alembic", Way::Gltf, &[b"Ogawa"]),
-    magic("Blender", Way::Gltf, &[b"BLENDER"]),
-    magic("Maya", Way::Gltf, &[b"//Maya ASCII", b"FOR4", b"FOR8"]),
-    magic("ROS bag", Way::Log, &[b"#ROSBAG"]),
-    magic("MCAP", Way::Log, &[b"\x89MCAP"]),
-    magic("After Effects project", Way::Poses, &[b"RIFX"]),
-    magic("Bundler", Way::Poses, &[b"# Bundle file"]),
-    magic("BVH", Way::Gltf, &[b"HIERARCHY"]),
-    // One kind of database, two programs.
-    Foreign {
-        endings: &["db3"],
-        ..magic("ROS 2 bag", Way::Log, &[b"SQLite format 3\0"])
-    },
-    magic("COLMAP database", Way::ColmapText, &[b"SQLite format 3\0"]),
-    text("Collada", Way::Gltf, &["<COLLADA"]),
-    text("KML", Way::Poses, &["<kml"]),
-    text("GPX", Way::Poses, &["<gpx"]),
-    text(
-        "MeshLab",
-        Way::Poses,
-        &["MeshLabDocument", "MeshLabProject"],
-    ),
-    text("ParaView camera", Way::Poses, &["PVCameraConfiguration"]),
-    text("ParaView trace", Way::Poses, &["paraview.simple"]),
-    text("Metashape", Way::Poses, &["<chunk ", "agisoft"]),
-    text("Mitsuba", Way::Poses, &["<scene version="]),
-    text(
-        "After Effects keyframe",
-        Way::Poses,
-        &["Adobe After Effects"],
-    ),
-    text("SRT", Way::Poses, &["00:00:00,000 -->", "00:00:00.000 -->"]),
-    text("Record3D", Way::Poses, &["perFrameIntrinsicCoeffs"]),
-    text("Earth Studio", Way::Poses, &["cameraFrames"]),
-    text("CZML", Way::Poses, &["\"czml\""]),
-    text(
-        "Nuke",
-        Way::Poses,
-        &["set cut_paste_input", "window_layout_xml"],
-    ),
-    ending("KMZ", Way::Poses, &["kmz"]),
-    ending("Record3D", Way::Poses, &["r3d"]),
-    ending("Blender", Way::Gltf, &["blend"]),
-    ending("Alembic", Way::Gltf, &["abc"]),
-    ending("POV-Ray", Way::Poses, &["pov"]),
-    ending("Metashape", Way::Poses, &["psx", "psz"]),
-    ending("Nuke", Way::Poses, &["nk"]),
-];
+/// Bytes that are searched at either end of a file.
+const SEARCHED: usize = 64 << 10;
 
 impl Foreign {
-    /// What a file of this name and content is, if it is of a kind that is not read; `head` is the
-    /// beginning of the content as text.
-    pub(super) fn of(name: &str, bytes: &[u8], head: &str) -> Option<&'static Self> {
-        let ending = Path::new(name).extension();
-        let ending = ending.map_or_else(String::new, |end| end.to_string_lossy().to_lowercase());
-        ALL.iter().find(|kind| {
-            let named = kind.endings.contains(&ending.as_str());
-            let begins = kind.begins.iter().any(|begin| bytes.starts_with(begin));
-            let holds = kind.holds.iter().any(|part| head.contains(part));
-            match (kind.begins, kind.holds) {
-                ([], []) => named,
-                _ => (kind.endings.is_empty() || named) && (begins || holds),
-            }
+    /// What a file is, if it is of a kind that is not read.
+    pub(super) fn of(source: &Source) -> Option<&'static Self> {
+        let bytes = &source.bytes;
+        let head = &bytes[..bytes.len().min(SEARCHED)];
+        let tail = &bytes[bytes.len().saturating_sub(SEARCHED).max(head.len())..];
+        let ending = Path::new(&source.name).extension();
+        let ending = ending.filter(|_| !source.is_folder).unwrap_or_default();
+        let shown = |kind: &&Self| kind.begins(head) || kind.is_in(head) || kind.is_in(tail);
+        let named = |kind: &&Self| {
+            let mut endings = kind.endings.iter();
+            endings.any(|known| ending.eq_ignore_ascii_case(known))
+        };
+        let by_content = KINDS.iter().find(shown);
+        let by_name = || KINDS.iter().find(named);
+        by_content
+            .or_else(by_name)
+            .or_else(|| CONTAINERS.iter().find(shown))
+    }
+
+    fn begins(&self, bytes: &[u8]) -> bool {
+        let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+        let text = text.trim_ascii_start();
+        self.begins.iter().any(|begin| text.starts_with(begin))
+    }
+
+    fn is_in(&self, bytes: &[u8]) -> bool {
+        self.holds.iter().any(|part| {
+            let mut places = bytes.windows(part.len());
+            places.any(|place| place == part.as_bytes())
         })
     }
 }
+
+const fn kind(
+    name: &'static str,
+    way: Way,
+    begins: &'static [&'static [u8]],
+    holds: &'static [&'static str],
+    endings: &'static [&'static str],
+) -> Foreign {
+    Foreign {
+        name,
+        way,
+        begins,
+        holds,
+        endings,
+    }
+}
+
+/// The first that fits counts.
+#[rustfmt::skip]
+static KINDS: [Foreign; 44] = [
+    // Programs of film and animation.
+    kind("FBX", Way::Gltf, &[b"Kaydara FBX Binary", b"; FBX"], &["FBXHeaderExtension:"], &["fbx"]),
+    kind("Alembic", Way::Gltf, &[b"Ogawa"], &[], &["abc"]),
+    kind("Blender", Way::Gltf, &[b"BLENDER"], &[], &["blend"]),
+    kind("Maya", Way::Gltf, &[b"//Maya ASCII", b"FOR4", b"FOR8"], &[], &["ma", "mb"]),
+    kind("Cinema 4D", Way::Gltf, &[b"QC4DC4D6"], &[], &["c4d"]),
+    kind("3ds Max", Way::Gltf, &[], &[], &["max"]),
+    kind("Houdini", Way::Gltf, &[], &[], &["hip", "hiplc", "hipnc"]),
+    kind("LightWave", Way::Gltf, &[b"LWSC"], &[], &["lws"]),
+    kind("Unity", Way::Gltf, &[], &["tag:unity3d.com"], &[]),
+    kind("Collada", Way::Gltf, &[], &["<COLLADA"], &["dae"]),
+    kind("BVH", Way::Gltf, &[b"HIERARCHY"], &[], &["bvh"]),
+    kind("VRML", Way::Gltf, &[b"#VRML"], &[], &["wrl"]),
+    kind("X3D", Way::Gltf, &[b"#X3D"], &["<X3D"], &["x3d"]),
+    kind("Nuke", Way::Chan, &[], &["set cut_paste_input", "window_layout_xml", "/Nuke"], &["nk"]),
+    kind("After Effects project", Way::Poses, &[b"RIFX"], &["<AfterEffectsProject"], &["aep"]),
+    kind("After Effects keyframe", Way::Poses, &[b"Adobe After Effects"], &[], &[]),
+    kind("Earth Studio", Way::Poses, &[], &["\"cameraFrames\""], &["esp"]),
+    kind("POV-Ray", Way::Poses, &[b"#version 3."], &["#include \"colors.inc\""], &["pov"]),
+    kind("Mitsuba", Way::Poses, &[], &["<scene version="], &[]),
+    // Programs of science.
+    kind("ParaView camera", Way::Poses, &[], &["<PVCameraConfiguration"], &["pvcc"]),
+    kind("ParaView state", Way::Poses, &[], &["<ServerManagerState"], &["pvsm"]),
+    kind("ParaView trace", Way::Poses, &[], &["paraview.simple"], &[]),
+    kind("MeshLab", Way::Poses, &[], &["MeshLabDocument", "MeshLabProject", "<VCGCamera"], &["mlp"]),
+    kind("LAS", Way::NoCameras, &[b"LASF"], &[], &["las", "laz"]),
+    kind("E57", Way::NoCameras, &[b"ASTM-E57"], &[], &["e57"]),
+    // Recordings of robots.
+    kind("ROS bag", Way::Log, &[b"#ROSBAG"], &[], &["bag"]),
+    kind("ROS 2 bag", Way::Log, &[], &["CREATE TABLE topics", "CREATE TABLE messages"], &["db3"]),
+    kind("MCAP", Way::Log, &[b"\x89MCAP"], &[], &["mcap"]),
+    kind("ULog", Way::Poses, &[b"ULog\x01"], &[], &["ulg"]),
+    // Cameras from pictures.
+    kind("COLMAP database", Way::Colmap("colmap model_converter"), &[], &["two_view_geometries"], &["db"]),
+    kind("OpenSfM", Way::Colmap("opensfm export_colmap"), &[], &["\"shots\""], &[]),
+    kind("OpenMVG", Way::Colmap("openMVG_main_openMVG2Colmap"), &[], &["\"sfm_data_version\""], &[]),
+    kind("AliceVision", Way::Poses, &[], &["\"featuresFolders\""], &["sfm", "mg"]),
+    kind("Metashape", Way::Transforms("ns-process-data metashape"), &[], &["<chunk ", "agisoft"], &["psx", "psz"]),
+    kind("Record3D", Way::Metadata, &[], &[], &["r3d"]),
+    kind("ContextCapture", Way::Poses, &[], &["<BlocksExchange"], &[]),
+    kind("Bundler", Way::Poses, &[b"# Bundle file"], &[], &[]),
+    kind("VisualSFM", Way::Poses, &[b"NVM_V3"], &[], &["nvm"]),
+    // On the globe.
+    kind("KML", Way::Metres, &[], &["<kml"], &["kml"]),
+    kind("KMZ", Way::Metres, &[], &["doc.kml"], &["kmz"]),
+    kind("GPX", Way::Metres, &[], &["<gpx"], &["gpx"]),
+    kind("CZML", Way::Metres, &[], &["\"id\":\"document\"", "\"id\": \"document\""], &["czml"]),
+    kind("NMEA", Way::Metres, &[b"$GP", b"$GN"], &[], &["nmea"]),
+    kind("SRT", Way::Metres, &[], &[" --> 0"], &["srt"]),
+];
+
+/// What may contain anything: the ending says more.
+#[rustfmt::skip]
+static CONTAINERS: [Foreign; 5] = [
+    kind("SQLite", Way::Poses, &[b"SQLite format 3\0"], &[], &[]),
+    kind("HDF5", Way::Poses, &[b"\x89HDF\r\n"], &[], &[]),
+    kind("ZIP", Way::Unpack, &[b"PK\x03\x04"], &[], &[]),
+    kind("gzip", Way::Unpack, &[b"\x1f\x8b"], &[], &[]),
+    kind("Zstandard", Way::Unpack, &[b"\x28\xb5\x2f\xfd"], &[], &[]),
+];

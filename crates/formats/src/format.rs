@@ -42,11 +42,11 @@ pub struct Format {
     pub name: &'static str,
     /// As people call it.
     pub title: &'static str,
-    /// File name extensions, without the dot; the first is proposed.
+    /// File name extensions, without the dot; the first is proposed. See [`Format::all_endings`].
     pub endings: &'static [&'static str],
     /// Whole file names that are always of this format.
     pub file_names: &'static [&'static str],
-    /// Which axis is up in every file, if the format says so.
+    /// Which axis is up in every file, if the format prescribes it.
     pub up: Option<Up>,
     /// What of a scene it holds.
     pub holds: Holds,
@@ -55,8 +55,14 @@ pub struct Format {
     pub recognises: fn(&Source) -> bool,
     /// Reads a file, or a folder of files; none if it is written only.
     pub read: Option<Reader>,
+    /// Whether its poses may be at any times, or have none.
+    pub own_times: bool,
+    /// Whether it also reads a folder with a file for each pose.
+    pub reads_folder: bool,
     /// Writes its one file; none if it is a folder, or read only.
     pub write: Option<Writer>,
+    /// Writers of files with these endings, if the format has more than one kind of file.
+    pub by_ending: &'static [(&'static str, Writer)],
     /// The files of a format that is a folder, in the order in which they are written.
     pub parts: &'static [(&'static str, Writer)],
     /// Files that would be read before the parts, or together with them: into a folder that has one
@@ -75,7 +81,10 @@ impl Format {
         holds: Holds::Poses,
         recognises: |_| false,
         read: None,
+        own_times: false,
+        reads_folder: false,
         write: None,
+        by_ending: &[],
         parts: &[],
         barred: &[],
     };
@@ -98,6 +107,12 @@ impl Format {
         !self.parts.is_empty()
     }
 
+    /// The extensions of its files, of every kind.
+    pub fn all_endings(&self) -> impl Iterator<Item = &'static str> {
+        let others = self.by_ending.iter().map(|&(ending, _)| ending);
+        self.endings.iter().copied().chain(others)
+    }
+
     /// Whether a file of this name is of the format: by the whole name, or by the ending.
     #[must_use]
     pub fn is_named(&self, file: &Path) -> bool {
@@ -113,7 +128,7 @@ impl Format {
 
     pub(super) fn has_ending(&self, file: &Path) -> bool {
         let ending = file.extension().unwrap_or_default();
-        let mut known = self.endings.iter();
+        let mut known = self.all_endings();
         known.any(|known| ending.eq_ignore_ascii_case(known))
     }
 
@@ -131,17 +146,22 @@ impl Format {
         read(source, options, report)
     }
 
-    /// Writes its one file.
+    /// Writes its one file, of the kind that the file's ending names.
     ///
     /// # Errors
     /// [`Error::NotWritten`]; as [`Format::write_by`].
     pub(super) fn write(
         &self,
+        file: &Path,
         flight: &mut Flight<'_>,
         out: &mut dyn Write,
         report: &mut Report,
     ) -> Result<()> {
         let write = self.write.ok_or(Error::NotWritten(self.name))?;
+        let ending = file.extension().unwrap_or_default();
+        let mut others = self.by_ending.iter();
+        let other = others.find(|(known, _)| ending.eq_ignore_ascii_case(known));
+        let write = other.map_or(write, |&(_, other)| other);
         self.write_by(write, flight, out, report)
     }
 

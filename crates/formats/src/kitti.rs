@@ -23,6 +23,7 @@ pub(super) static KITTI: Format = Format {
     recognises: |source| rows::is_matrix(source.beginning()),
     read: Some(read),
     write: Some(write),
+    own_times: true,
     ..Format::PLAIN
 };
 

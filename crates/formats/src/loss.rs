@@ -5,6 +5,8 @@ use std::fmt;
 use vides_document::error::{Index, Text};
 use vides_engine::limits::MAX_FPS;
 
+use super::options::DEFAULT_SIZE;
+
 /// Something that is lost on the way, or worth a word.
 #[derive(Debug, Clone, PartialEq)]
 #[allow(missing_docs)]
@@ -23,7 +25,7 @@ pub enum Loss {
     Interpolations(usize),
     /// Deformed objects go out at rest.
     Deformations(usize),
-    /// Nodes whose motion was computed anew, a key a frame, since no track goes that way.
+    /// Nodes whose motion was resampled, a key a frame, since no track can express it.
     Resampled(usize),
     /// Deformed or morphed objects go out as their points, frame by frame where these move.
     Forms(usize),
@@ -31,7 +33,7 @@ pub enum Loss {
     Scaled(usize),
     /// Channels of the host.
     HostChannels(usize),
-    /// The camera's roll in so many poses.
+    /// The camera's roll; in how many poses.
     Roll(usize),
     /// The field of view, in a format without one.
     FieldOfView,
@@ -39,7 +41,7 @@ pub enum Loss {
     FieldsClamped(usize),
     /// Times, in a format without: a pose a frame.
     Times,
-    /// Lens distortion of so many cameras.
+    /// Lens distortion; of how many cameras.
     Distortion(usize),
     /// Principal points off the picture's centre.
     OffCentre(usize),
@@ -49,9 +51,17 @@ pub enum Loss {
     Sheared(usize),
     /// Animations that are left out, by their names.
     OtherAnimations(Text),
+    /// What cannot be read, and why.
+    LeftOut(Text),
+    /// Models beside the one that is read, by its name and as it has the most images.
+    OtherModels {
+        read: Text,
+        images: u64,
+        others: usize,
+    },
     /// The program has no frames of these numbers, only 0 to `last`: they are counted from 1.
     FrameNumbers { first: f64, last: f64 },
-    /// The viewer joins the keys by a spline of its own.
+    /// The viewer joins the keys by its own spline.
     OwnSpline,
     /// A path was fitted: points, the farthest position, the largest angle in degrees.
     Fitted {
@@ -65,14 +75,16 @@ pub enum Loss {
         seconds: f64,
         by_frame: f64,
     },
-    /// The file has this axis upright, and what it is put into another one.
+    /// The file has this up axis, and the document another one.
     Upright(&'static str),
     /// Poses at the same time as the one before, which counts.
     RepeatedTimes(usize),
-    /// The times begin at so many seconds, and count from 0 here.
+    /// The times begin at this second, and count from 0 here.
     Epoch(f64),
     /// Rates beyond the range.
     Rates(usize),
+    /// Everything is far away: roots are in a node there.
+    Origin([f64; 3]),
     /// Markers.
     Markers(usize),
     /// Colours of points.
@@ -83,19 +95,28 @@ pub enum Loss {
     Textures(usize),
     /// Cameras without perspective, taken as with it.
     Orthographic(usize),
+    /// Pictures of unknown size, taken as square.
+    SquarePictures,
+    /// Pictures of unknown size, taken as of the size without a word.
+    UnknownSize,
+    /// The poses are in a world that another one was transformed into.
+    AppliedTransform,
+    /// The poses are in a world whose lengths are those of the capture by this factor.
+    NormalisedWorld(f64),
     /// Pictures whose pixels are not square: the height counts.
     Oblong(usize),
     /// Scenes beside the first.
     OtherScenes(usize),
     /// Tracks of properties that nodes here do not have.
     OtherTracks(usize),
-    /// Sizes of nodes whose matrices scale, in so many frames.
+    /// Sizes of nodes whose matrices scale; in how many frames.
     Sizes(usize),
     /// Anything else that is not taken, by its name in the file.
     NotTaken { what: Text, count: usize },
 }
 
 impl fmt::Display for Loss {
+    #[expect(clippy::too_many_lines)] // a sentence each
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::OtherNodes(n) => counted(f, *n, "other node% left out"),
@@ -147,7 +168,17 @@ impl fmt::Display for Loss {
             Self::Skins(1) => f.write_str("1 skinned mesh as at rest"),
             Self::Skins(n) => write!(f, "{n} skinned meshes as at rest"),
             Self::Sheared(n) => counted(f, *n, "node% without their shear"),
+            Self::LeftOut(what) => write!(f, "left out: {what}"),
             Self::OtherAnimations(all) => write!(f, "animations left out (option clip): {all}"),
+            Self::OtherModels {
+                read,
+                images,
+                others,
+            } => write!(
+                f,
+                "{others} other model{} left out: {read} has the most images ({images})",
+                plural(*others)
+            ),
             Self::FrameNumbers { first, last } => write!(
                 f,
                 "the first frame is 1 and not {first}: its frames are whole numbers from 0 to {last}"
@@ -179,6 +210,10 @@ impl fmt::Display for Loss {
             }
             Self::RepeatedTimes(n) => counted(f, *n, "pose% at the time of another left out"),
             Self::Rates(n) => write!(f, "{n} rate{} beyond 0 to {MAX_FPS} left out", plural(*n)),
+            Self::Origin([x, y, z]) => write!(
+                f,
+                "far from the origin for 32 bits: all nodes are in a node \"origin\" at {x} {y} {z}"
+            ),
             Self::Markers(n) => counted(f, *n, "marker% left out"),
             Self::PointColours => f.write_str("the colours of points are left out"),
             Self::ColourTracks(n) => counted(f, *n, "changing colour% as at the first frame"),
@@ -186,6 +221,24 @@ impl fmt::Display for Loss {
             Self::Orthographic(n) => {
                 counted(f, *n, "camera% without perspective, taken as with it")
             }
+            Self::SquarePictures => {
+                f.write_str("the size of the pictures is unknown: taken as square (option size)")
+            }
+            Self::UnknownSize => {
+                let [width, height] = DEFAULT_SIZE;
+                write!(
+                    f,
+                    "the size of the pictures is unknown: taken as {width}x{height} (option size)"
+                )
+            }
+            Self::AppliedTransform => f.write_str(
+                "applied_transform is in the poses: their world is not that of the capture",
+            ),
+            Self::NormalisedWorld(scale) => write!(
+                f,
+                "the poses are in nerfstudio's world: its lengths are those of the capture times \
+                 {scale} (dataparser_transforms.json)"
+            ),
             Self::Oblong(n) => write!(
                 f,
                 "the width of {n} picture{} whose pixels are not square: their height counts",
@@ -209,31 +262,31 @@ fn counted(f: &mut fmt::Formatter<'_>, count: usize, what: &str) -> fmt::Result 
     write!(f, "{count} {}", what.replace('%', plural(count)))
 }
 
-/// What is told of a file that was written or read.
+/// The losses of a file that was written or read.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Report {
     losses: Vec<Loss>,
 }
 
-/// More are not told one by one.
+/// More are not reported one by one.
 const MOST: usize = 100;
 
 impl Report {
-    /// Tells of a loss, once.
+    /// Reports a loss, once.
     pub fn add(&mut self, loss: Loss) {
         if self.losses.len() < MOST && !self.losses.contains(&loss) {
             self.losses.push(loss);
         }
     }
 
-    /// Tells of as many as there are, if there are some.
+    /// Reports a loss of `count` items, if any.
     pub fn count(&mut self, count: usize, loss: impl FnOnce(usize) -> Loss) {
         if count > 0 {
             self.add(loss(count));
         }
     }
 
-    /// Tells of as many as there are of anything else, if there are some.
+    /// Reports `count` items of anything else, if any.
     pub fn not_taken(&mut self, what: &str, count: usize) {
         self.count(count, |count| Loss::NotTaken {
             what: what.into(),

@@ -1,5 +1,5 @@
 //! `camera_path.json` of nerfstudio (Tancik et al. 2023), what `ns-render camera-path` renders: one
-//! entry a frame, and the keys that its viewer shows and joins by a spline of its own. The camera
+//! entry a frame, and the keys that its viewer shows and joins by its own spline. The camera
 //! looks along −z, z is up, fields of view are vertical and in degrees.
 
 use std::io::Write;
@@ -31,10 +31,15 @@ pub(super) static NERFSTUDIO: Format = Format {
     ..Format::PLAIN
 };
 
+/// A longer `dataparser_transforms.json` is none.
+const MAX_TRANSFORMS: u64 = 1 << 20;
+
 fn recognises(source: &Source) -> bool {
     let text = source.beginning();
     let has = |key: &str| text.contains(key);
-    text.trim_start().starts_with('{') && (has("\"camera_path\"") || has("\"keyframes\""))
+    // SuperSplat has keyframes in its tracks.
+    let keys = has("\"keyframes\"") && !has("\"animTracks\"");
+    text.trim_start().starts_with('{') && (has("\"camera_path\"") || keys)
 }
 
 fn read(source: &Source, _: &Options, report: &mut Report) -> Result<Content> {
@@ -63,6 +68,7 @@ fn read(source: &Source, _: &Options, report: &mut Report) -> Result<Content> {
     }
     lenses.tell(report);
     tell_rest(root, recording.poses.len(), report);
+    tell_world(source, report);
     Ok(Content::Poses(recording))
 }
 
@@ -155,6 +161,15 @@ fn key_seconds(root: At<'_>, key: At<'_>, before: Option<f64>) -> Result<Option<
         .map(|step| before + step))
 }
 
+/// Reports by which factor the viewer's world was made of the capture, if a file beside says it.
+fn tell_world(source: &Source, report: &mut Report) {
+    let file = source.beside("dataparser_transforms.json", MAX_TRANSFORMS);
+    let scale = file.and_then(|bytes| At::root(&tree::parse(&bytes)?).need("scale")?.positive());
+    if let Ok(scale) = scale {
+        report.add(Loss::NormalisedWorld(scale));
+    }
+}
+
 /// Reports what else such a file holds.
 fn tell_rest(root: At<'_>, poses: usize, report: &mut Report) {
     match root.get("camera_type").and_then(|at| at.value.as_str()) {
@@ -172,7 +187,7 @@ fn tell_rest(root: At<'_>, poses: usize, report: &mut Report) {
 /// All before the first frame: what holds for the whole, and the keys.
 fn head(flight: &Flight<'_>) -> Result<Vec<u8>> {
     let mut head = Vec::new();
-    let [width, height] = flight.options().size;
+    let [width, height] = flight.pixels();
     let (fps, count) = (flight.fps(), flight.count());
     let mut pose = [Pose::default()];
     flight.poses(0, &mut pose)?;

@@ -8,6 +8,9 @@ use super::error::{Error, Result};
 /// The most decimals of a line: what is worth writing in the smallest spaces that are used.
 pub const MAX_DECIMALS: usize = 30;
 
+/// The size of a picture where neither file nor user says.
+pub(super) const DEFAULT_SIZE: [u32; 2] = [1920, 1080];
+
 /// What the motion of a camera becomes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum As {
@@ -15,6 +18,15 @@ pub enum As {
     Path,
     /// A camera with one key for each pose.
     Keys,
+}
+
+/// When poses are written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Times {
+    /// At each frame.
+    Frames,
+    /// At the camera's own keys: those of a list come back at their times.
+    Own,
 }
 
 /// What was chosen; the default is what holds without a word.
@@ -28,11 +40,14 @@ pub struct Options {
     pub frames: Option<(f64, f64)>,
     /// Frames per second; none: those of the document, of a file that is read its own, else 25.
     pub fps: Option<f64>,
-    /// The time of the first pose in formats whose poses have times, in seconds.
-    pub start: f64,
-    /// Width and height of a picture in pixels.
-    pub size: [u32; 2],
-    /// Which axis stands upright in the file; none: as the format says.
+    /// When poses are written; none: at each frame.
+    pub times: Option<Times>,
+    /// The time of the first pose in formats whose poses have times, in seconds; none: 0.
+    pub start: Option<f64>,
+    /// Width and height of a picture in pixels; none: 1920 × 1080; a file that is read
+    /// may say it itself.
+    pub size: Option<[u32; 2]>,
+    /// Which axis is up in the file; none: as the format says.
     pub up: Option<Up>,
     /// Lengths in the file for one of the document's; > 0.
     pub scale: f64,
@@ -57,8 +72,9 @@ impl Default for Options {
             clip: None,
             frames: None,
             fps: None,
-            start: 0.0,
-            size: [1920, 1080],
+            times: None,
+            start: None,
+            size: None,
             up: None,
             scale: 1.0,
             as_: None,
@@ -141,13 +157,29 @@ pub const OPTIONS: &[OptionRow] = &[
         },
     },
     OptionRow {
+        name: "times",
+        value: "WHEN",
+        help: "frames: a pose for each frame; own: at the keys of the camera, for tum, euroc, osg, \
+               kitti and matrices [default: own where a list becomes a list, without --fps and --frames]",
+        wanted: "frames or own",
+        set: |options, text| {
+            options.times = Some(match text {
+                "frames" => Times::Frames,
+                "own" => Times::Own,
+                _ => return None,
+            });
+            Some(())
+        },
+    },
+    OptionRow {
         name: "start",
         value: "SECONDS",
-        help: "The time of the first pose in files of the formats tum and osg [default: 0]",
+        help: "The time of the first pose in files of the formats tum, euroc and osg \
+               [default: that of a list that becomes a list, else 0]",
         wanted: "a number of seconds, at most 1e12,",
         set: |options, text| {
             // So that two frames are two times.
-            options.start = number(text).filter(|start| start.abs() <= 1e12)?;
+            options.start = Some(number(text).filter(|start| start.abs() <= 1e12)?);
             Some(())
         },
     },
@@ -159,7 +191,7 @@ pub const OPTIONS: &[OptionRow] = &[
         set: |options, text| {
             let (width, height) = text.split_once('x')?;
             let side = |text: &str| text.parse::<u16>().ok().filter(|side| *side > 0);
-            options.size = [side(width)?.into(), side(height)?.into()];
+            options.size = Some([side(width)?.into(), side(height)?.into()]);
             Some(())
         },
     },
@@ -311,7 +343,7 @@ mod tests {
             (options.fps, options.frames),
             (Some(30.0), Some((-5.0, 12.5)))
         );
-        assert_eq!((options.size, options.up), ([640, 480], Some(Up::Z)));
+        assert_eq!((options.size, options.up), (Some([640, 480]), Some(Up::Z)));
         assert_eq!(
             Options::parse("rotation-order=xyz").unwrap().rotation_order,
             [0, 1, 2]

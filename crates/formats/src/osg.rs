@@ -16,5 +16,6 @@ pub(super) static OSG: Format = Format {
     },
     read: Some(|source, _, report| tum::read(source, CameraAxes::OpenGl, report)),
     write: Some(|flight, out, report| tum::write(flight, b"", CameraAxes::OpenGl, out, report)),
+    own_times: true,
     ..Format::PLAIN
 };

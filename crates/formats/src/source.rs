@@ -6,6 +6,7 @@ use vides_document::{inside, read_bytes};
 use vides_engine::limits::MAX_FILE_BYTES;
 
 use super::error::{Cause, Error, Place, Result};
+use super::natural;
 
 /// The content of a file, or a folder.
 #[derive(Debug, Default)]
@@ -99,6 +100,51 @@ impl Source {
         read.map_err(|error| Error::from(error.at(place.display())))
     }
 }
+
+impl Source {
+    /// The names of files in the folder that `wanted` takes; numbers in them count as numbers.
+    ///
+    /// # Errors
+    /// Those of the system.
+    pub(super) fn names(&self, wanted: fn(&str) -> bool) -> Result<Vec<String>> {
+        let mut names = Vec::new();
+        let Some(folder) = self.folder.as_deref().filter(|_| self.is_folder) else {
+            return Ok(names);
+        };
+        let io = |source| {
+            Error::from(vides_document::Error::Io {
+                place: self.name.clone(),
+                source,
+            })
+        };
+        for entry in std::fs::read_dir(folder).map_err(io)? {
+            let name = entry.map_err(io)?.file_name();
+            if let Some(name) = name.to_str().filter(|name| wanted(name)) {
+                names.try_reserve(1)?;
+                names.push(name.to_owned());
+            }
+        }
+        names.sort_by(|a, b| natural::compare(a, b));
+        Ok(names)
+    }
+
+    /// The first of these files, if it is small.
+    pub(super) fn first_of(&self, wanted: fn(&str) -> bool) -> Option<Self> {
+        let names = self.names(wanted).ok()?;
+        let name = names.first()?;
+        let bytes = self.beside(name, SMALL).ok()?;
+        Some(Self::of_bytes(name, bytes))
+    }
+
+    /// The last number in a name.
+    pub(super) fn number_of(name: &str) -> Option<f64> {
+        let mut numbers = name.split(|c: char| !c.is_ascii_digit());
+        numbers.rfind(|digits| !digits.is_empty())?.parse().ok()
+    }
+}
+
+/// Bytes of a file with one pose, at most.
+const SMALL: u64 = 1 << 16;
 
 /// Some editors put a mark of the byte order before a text.
 fn without_mark(text: &str) -> &str {

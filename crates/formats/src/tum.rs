@@ -29,6 +29,7 @@ pub(super) static TUM: Format = Format {
         let head = b"# timestamp tx ty tz qx qy qz qw\n";
         write(flight, head, CameraAxes::OpenCv, out, report)
     }),
+    own_times: true,
     ..Format::PLAIN
 };
 
@@ -98,10 +99,82 @@ pub(super) fn write(
     report.add(Loss::FieldOfView);
     flight.write_poses(head.into(), out, |flight, text, index, pose| {
         let turn = convention::rotation(pose, axes).to_array();
-        let place = [flight.options().start + flight.seconds(index)]
-            .into_iter()
-            .chain(pose.vrp);
+        let place = [flight.time(index)].into_iter().chain(pose.vrp);
         rows::push(text, place.chain(turn), " ");
         text.push(b'\n');
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{As, Options, Source, Times, by_name, export_to, import};
+
+    /// A list with uneven times of today comes back line by line.
+    #[test]
+    fn own_times_come_back() {
+        let lines = [
+            "1305031102.1758 1 2 3 0 0 0 1",
+            "1305031102.2113 1.5 2 3 0 0 0.6 0.8",
+            "1305031102.3 1.25 2 3 0 0 1 0",
+            "1305031103.9 1.75 2.5 3 0.6 0 0.8 0",
+        ];
+        let keys = Options {
+            as_: Some(As::Keys),
+            ..Options::default()
+        };
+        let read = import(
+            &Source::of_bytes("a.tum", lines.join("\n").into_bytes()),
+            None,
+            &keys,
+        )
+        .unwrap();
+        let options = Options {
+            times: Some(Times::Own),
+            start: read.start,
+            ..keys
+        };
+        let written = |options: &Options, name: &str| {
+            let mut out = Vec::new();
+            let done = export_to(
+                &read.document,
+                &mut out,
+                by_name(name).unwrap(),
+                options,
+                &mut |_, _| {},
+            );
+            done.map(|_| String::from_utf8(out).unwrap())
+                .map_err(|error| error.to_string())
+        };
+        let text = written(&options, "tum").unwrap();
+        let rows = |text: &str| -> Vec<Vec<f64>> {
+            let lines = text.lines().filter(|line| !line.starts_with('#'));
+            lines
+                .map(|line| line.split(' ').map(|word| word.parse().unwrap()).collect())
+                .collect()
+        };
+        let (was, is) = (rows(&lines.join("\n")), rows(&text));
+        assert_eq!(was.len(), is.len());
+        for (was, is) in was.iter().zip(&is) {
+            // What the rounding of such stamps hides was a whole frame.
+            assert!((was[0] - is[0]).abs() < 2.4e-6, "{} {}", was[0], is[0]);
+            // Both signs of a quaternion are the same rotation.
+            let sign = (4..8).map(|at| was[at] * is[at]).sum::<f64>().signum();
+            let is = is[1..4]
+                .iter()
+                .copied()
+                .chain(is[4..].iter().map(|part| sign * part));
+            for (was, is) in was[1..].iter().zip(is) {
+                assert!((was - is).abs() < 1e-12, "{was} {is}");
+            }
+        }
+        assert_eq!(written(&options, "kitti").unwrap().lines().count(), 4);
+        let refused =
+            "times=own is for the formats tum, euroc, osg, kitti and matrices, without fps";
+        assert_eq!(written(&options, "chan").unwrap_err(), refused);
+        let fps = Options {
+            fps: Some(10.0),
+            ..options
+        };
+        assert_eq!(written(&fps, "tum").unwrap_err(), refused);
+    }
 }

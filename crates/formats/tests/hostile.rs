@@ -53,7 +53,9 @@ fn every_format_is_told_of() {
             include_str!("../../../src/ffi/exchange.rs"),
         ),
     ] {
-        let of_a_name = |c: char| c.is_ascii_alphanumeric() || c == '_';
+        let of_a_name = |c: char| c.is_ascii_alphanumeric() || "_-".contains(c);
+        // The manual page escapes hyphens.
+        let text = text.replace('\\', "");
         let words: Vec<_> = text.split(|c: char| !of_a_name(c)).collect();
         for format in formats() {
             let name = format.name;

@@ -1,5 +1,7 @@
 //! Random paths through the formats that hold a list of poses, and back.
 
+#[path = "pose_lists/known.rs"]
+mod known;
 #[path = "pose_lists/refused.rs"]
 mod refused;
 
@@ -13,15 +15,20 @@ use vides_engine::path::{Pose, Up};
 use vides_formats::{Flight, Format, Loss, Options, Source, by_name, export, formats, import};
 
 /// A format, a file of it, whether it keeps fields of view, and whether it keeps times.
-const LISTS: [(&str, &str, bool, bool); 9] = [
+const LISTS: [(&str, &str, bool, bool); 14] = [
     ("tum", "a.tum", false, true),
     ("euroc", "a.euroc", false, true),
     ("kitti", "a.kitti", false, false),
+    ("matrices", "a.matrices", false, false),
+    ("matrices", "a.npy", false, false),
+    ("open3d", "camera_trajectory.json", true, false),
+    ("open3d", "a.log", false, false),
     ("colmap", "model", true, false),
     ("osg", "a.path", false, true),
     ("chan", "a.chan", true, true),
     ("nerfstudio", "camera_path.json", true, true),
     ("transforms", "transforms.json", true, false),
+    ("instant-ngp", "base_cam.json", true, true),
     ("cameras", "cameras.json", true, false),
 ];
 
@@ -489,12 +496,26 @@ fn keys_of_the_viewer_are_ours() {
 /// A new format stands among the lists, or among those whose tests are elsewhere.
 #[test]
 fn every_list_is_tried() {
-    const OTHERS: [&str; 11] = [
-        "ascii", "csv", "json", "glb", "gltf", "usda", "vid", "html", "blender", "paraview", "vtk",
+    const OTHERS: [&str; 14] = [
+        "ascii",
+        "csv",
+        "json",
+        "glb",
+        "gltf",
+        "usda",
+        "vid",
+        "html",
+        "blender",
+        "paraview",
+        "vtk",
+        "supersplat",
+        "record3d",
+        "polycam",
     ];
     let mut names: Vec<_> = formats().iter().map(|format| format.name).collect();
     let mut known: Vec<_> = LISTS.iter().map(|list| list.0).chain(OTHERS).collect();
     names.sort_unstable();
     known.sort_unstable();
+    known.dedup();
     assert_eq!(names, known);
 }

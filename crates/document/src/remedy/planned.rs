@@ -12,7 +12,7 @@ use crate::tool::least_clearance;
 use vides_engine::path::{Orientation, Target};
 
 impl Document {
-    /// The edits that cure what [`is_planned`]; none where it needs an object and there is none.
+    /// The edits that cure what [`is_planned`]; none if an object is needed and missing.
     pub(super) fn planned(
         &self,
         finding: &Finding,

@@ -120,7 +120,7 @@ fn unsaved_copy(document: &Document) -> Result<Document> {
 }
 
 impl Drop for Editor {
-    /// Unsaved work stays for the next start, up to the last change, whoever ended the window. A user
+    /// Unsaved work stays for the next start, up to the last change, however the window ended. A user
     /// who closes it has been asked about that work, and leaves nothing.
     fn drop(&mut self) {
         let unsaved = self.is_unsaved() && !self.closing;

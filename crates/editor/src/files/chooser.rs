@@ -1,8 +1,8 @@
 //! The file window: a directory, a filter, a name (thesis A.5, fig. A.8).
 //!
 //! By mouse: a click chooses, a double click takes, a name is proposed for saving. By keyboard: the
-//! name has it, the up and down arrows go through the list, Enter takes, Alt and the up arrow go to
-//! the directory above.
+//! name has the focus, the up and down arrows go through the list, Enter takes, Alt and the up arrow
+//! go to the directory above.
 
 use std::path::{Path, PathBuf};
 
@@ -374,7 +374,7 @@ impl FileWindow {
             .extension()
             .and_then(|ending| ending.to_str());
         let known =
-            ending.filter(|ending| old.endings.iter().any(|of| ending.eq_ignore_ascii_case(of)));
+            ending.filter(|ending| old.all_endings().any(|of| ending.eq_ignore_ascii_case(of)));
         let cut = known.map_or(0, |ending| ending.len() + 1);
         let stem = &name[..name.len() - cut];
         self.name = match (new.endings, new.file_names) {

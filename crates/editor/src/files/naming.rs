@@ -13,7 +13,7 @@ use crate::texts::formats::title_of;
 pub(super) fn described(language: Language, format: &Format) -> String {
     let title = title_of(language, format);
     let names = format.file_names.iter().map(|name| (*name).to_owned());
-    let endings = format.endings.iter().map(|ending| format!("*.{ending}"));
+    let endings = format.all_endings().map(|ending| format!("*.{ending}"));
     let files: Vec<_> = names.chain(endings).collect();
     match files.as_slice() {
         [] => format!("{title} ({})", language.texts().files.folder),
@@ -29,7 +29,7 @@ pub(super) fn is_export(format: &Format) -> bool {
 /// All endings of files of some formats.
 pub(super) fn filter_of(which: impl Fn(&Format) -> bool) -> String {
     let which = formats().iter().filter(|format| which(format));
-    let endings = which.flat_map(|format| format.endings);
+    let endings = which.flat_map(|format| format.all_endings());
     let mut endings: Vec<_> = endings.map(|ending| format!("*.{ending}")).collect();
     endings.sort_unstable();
     endings.dedup();

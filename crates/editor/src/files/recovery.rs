@@ -353,7 +353,7 @@ pub(crate) fn find(folder: &Path, program: Option<&str>) -> Vec<Found> {
     found
 }
 
-/// Locks and reads one file; `None` if a process has it.
+/// Locks and reads one file; `None` if a process has locked it.
 fn take(path: &Path) -> Option<Found> {
     let mut file = OpenOptions::new()
         .read(true)

@@ -53,7 +53,8 @@ impl Editor {
                 light
             }
             NewNode::Camera => {
-                let mut camera = Node::new(texts.camera, Kind::Camera(Default::default()));
+                let planes = vides_engine::scene::Camera::for_size(self.shown_space().half_size);
+                let mut camera = Node::new(texts.camera, Kind::Camera(planes));
                 if let Some(seen) = self.seen_camera() {
                     camera.rest.position = seen.position;
                     camera.rest.rotation = quaternion_from_view(seen.view, seen.up);

@@ -227,8 +227,8 @@ pub(super) fn rest_edit(of: Shown<'_>, rest: Rest) -> Edit {
     Edit::Part(Box::new(Part::Rest { node, rest }))
 }
 
-/// A menu of all other nodes, or none; what was chosen. `words`: its name, how it tells what is
-/// chosen, and what none is called.
+/// A menu of all other nodes, or none; what was chosen. `words`: its name, the text for the
+/// choice, and the text for none.
 fn node_menu(
     editor: &Editor,
     ui: &mut Ui,

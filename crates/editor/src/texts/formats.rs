@@ -67,6 +67,7 @@ german! {
         NotWritten(name) => "das Format {name} wird gelesen, nicht geschrieben";
         Folder(name) => "das Format {name} ist ein Verzeichnis mit Dateien: bitte eines nennen";
         Whole(name) => "{name}: eine .vid-Datei hält ein ganzes Dokument, wie es ist";
+        OwnTimes => "times=own gibt es für die Formate tum, euroc, osg, kitti und matrices, ohne fps";
         OtherUp { format, up } => "im Format {format} steht die Achse {up} senkrecht";
         Stopped => "es wurde angehalten";
         In(file, error) => "{file}: {}", German::<Error>(error);
@@ -74,8 +75,14 @@ german! {
     Way {
         Gltf => "bitte aus dem Programm, das sie schrieb, als glTF ausgeben";
         Poses => "bitte die Posen ausgeben, etwa als TUM, CSV oder transforms.json";
-        ColmapText => "bitte das Modell mit „colmap model_converter“ als Text ausgeben";
+        Metres => "bitte ihre Posen in Metern schreiben, etwa als TUM";
+        Chan => "bitte die Kamera aus Nuke als .chan ausgeben";
+        Colmap(command) => "bitte das Modell mit „{command}“ als Text ausgeben";
+        Transforms(command) => "bitte mit „{command}“ eine transforms.json daraus machen";
+            Metadata => "bitte die Metadaten auspacken, mit „unzip -p in.r3d metadata > metadata.json“";
         Log => "bitte die Posen herausziehen, etwa mit „evo_traj“ als TUM";
+        NoCameras => "sie haben Punkte und keine Kameras";
+        Unpack => "bitte auspacken";
     }
     Place {
         Whole => "";
@@ -117,6 +124,8 @@ german! {
         Name => "Name";
         Value => "Wert";
         Literal(text) => "„{text}“";
+        LastRow => "Matrix, deren letzte Zeile 0 0 0 1 ist,";
+        Matrices => "Feld von N × 4 × 4 oder N × 3 × 4 Zahlen";
         ImagePoints => "Punkte des Bildes davor oder eine leere Zeile";
     }
     Loss {
@@ -140,7 +149,10 @@ german! {
         Skins(count) => "Netze mit Skelett wie in Ruhe: {count}";
         Sheared(count) => "Knoten ohne ihre Scherung: {count}";
         RepeatedTimes(count) => "Posen zur gleichen Zeit wie die vorige bleiben weg: {count}";
+        LeftOut(what) => "weggelassen: {what}";
         OtherAnimations(names) => "Animationen bleiben weg: {names}; eine wählt clip";
+        OtherModels { read, images, others } =>
+            "andere Modelle bleiben weg: {others}; {read} hat die meisten Aufnahmen ({images})";
         FrameNumbers { first, last } =>
             "das erste Bild ist 1 und nicht {}: dort sind es ganze Zahlen von 0 bis {}", number(*first), number(*last);
         OwnSpline => "der Betrachter verbindet die Schlüssel durch eine eigene Kurve";
@@ -159,6 +171,12 @@ german! {
         ColourTracks(count) => "Farben, die sich ändern, wie am Anfang: {count}";
         Textures(count) => "Texturen bleiben weg: {count}";
         Orthographic(count) => "Kameras ohne Perspektive, wie mit ihr: {count}";
+        SquarePictures => "die Größe der Aufnahmen ist unbekannt: wie quadratisch; size nennt sie";
+        UnknownSize => "die Größe der Aufnahmen ist unbekannt: wie 1920x1080; size nennt sie";
+        AppliedTransform => "applied_transform steckt in den Posen: ihre Welt ist nicht die der Aufnahme";
+        NormalisedWorld(scale) =>
+            "die Posen sind in der Welt von nerfstudio: ihre Längen sind {} mal die der Aufnahme (dataparser_transforms.json)",
+            number(*scale);
         Oblong(count) => "Bilder, deren Pixel nicht quadratisch sind: es gilt die Höhe: {count}";
         OtherScenes(count) => "andere Szenen bleiben weg: {count}";
         OtherTracks(count) => "Animationen anderer Eigenschaften bleiben weg: {count}";

@@ -382,6 +382,8 @@ german! {
         Tolerance => "die Toleranz muss endlich und größer als 0 sein";
         SteadySeconds(most) => "die Zeit der Beruhigung muss größer als 0 sein, und höchstens {} s (2.000 Bilder)", most;
         SteadyWithin => "die Schranke der Beruhigung muss endlich sein und darf nicht kleiner als 0 sein";
+        TooFewFittedPoints =>
+            "mit so wenigen Punkten folgt keine Bahn den Posen, auch bei der tausendfachen Toleranz nicht";
         ToleranceAngle => "die Toleranz der Winkel muss größer als 0 sein, und höchstens 180 Grad";
         Coverage => "der Anteil der Oberfläche eines Rundflugs muss größer als 0 und höchstens 1 sein";
         TourDistance =>

@@ -316,6 +316,9 @@ pub enum OutOfRange {
         Called("the tolerance of angles", "angle")
     )]
     ToleranceAngle,
+    /// No path follows the poses with so few points.
+    #[error("no path of so few points follows the poses, even at 1000 times the tolerance")]
+    TooFewFittedPoints,
     #[error(
         "{} must be greater than 0 and at most {most} s (2,000 frames)",
         Called("the time to steady over", "seconds"), most = .0

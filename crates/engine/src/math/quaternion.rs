@@ -42,8 +42,8 @@ pub fn slerp(a: DQuat, b: DQuat, t: f64) -> DQuat {
     a * (((1.0 - t) * theta).sin() / sin) + b * ((t * theta).sin() / sin)
 }
 
-/// `a` turned by an angle on S³ towards `b`: of length 1 whatever the angle, also where the two lie
-/// so close together or so far apart that weights would magnify their rounding.
+/// `a` turned by an angle on S³ towards `b`: of length 1 whatever the angle, also where weights
+/// would magnify the rounding: the two nearly equal or nearly opposite.
 fn turned(a: DQuat, b: DQuat, angle: f64) -> DQuat {
     let across = b - a * a.dot(b);
     if across.length() == 0.0 {

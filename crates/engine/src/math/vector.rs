@@ -1,8 +1,8 @@
 //! SIMD vectors of doubles.
 //!
 //! The sampling code is written once, over the trait [`Vector`], and compiled for each kind of
-//! processor (`path::dispatch` chooses): `f64` is the plain version that the others are tested
-//! against, [`Sse2`] is what every x86-64 processor has, [`Avx2`] adds fused multiplication,
+//! processor (`path::dispatch` chooses): `f64` is the plain version, the reference of the
+//! tests, [`Sse2`] is what every x86-64 processor has, [`Avx2`] adds fused multiplication,
 //! `Neon` is what every 64-bit ARM processor has. (AVX-512 was slower than AVX2.) Everything is
 //! forced inline, since a function that is called would be compiled for the plainest processor.
 //! `fearless_simd` would not do: it has nothing between plain code and SSE 4.2, so plain x86-64
@@ -20,7 +20,7 @@ pub(crate) trait Vector: Copy {
     fn sub(self, other: Self) -> Self;
     fn mul(self, other: Self) -> Self;
     fn div(self, other: Self) -> Self;
-    /// `self`·b + c, in one rounding where the processor has it.
+    /// `self`·b + c, in one rounding where the processor supports that.
     fn mul_add(self, b: Self, c: Self) -> Self;
     fn sqrt(self) -> Self;
     fn min(self, other: Self) -> Self;
@@ -43,7 +43,7 @@ pub(crate) fn fetch<T>(values: &[T]) {
 }
 
 /// An array of the values of an expression, as `[0, 1, 2].map(|i| …)` gives it. A closure is a
-/// function of its own, compiled for the plainest processor, and what it does with vectors becomes
+/// separate function, compiled for the plainest processor, and what it does with vectors becomes
 /// a call for each operation. This is written out where it stands.
 macro_rules! each {
     ($name:ident in [$($each:expr),*] => $value:expr) => {

@@ -17,7 +17,7 @@ use crate::error::{Result, try_arc};
 use crate::math::orientation::unit;
 use crate::math::rotation_minimising::{chord, perpendicular, step, turned};
 
-/// A camera nearer to its target than this, in half sizes, has no direction of its own.
+/// A camera nearer to its target than this, in units of `half_size`, has no direction.
 pub(super) const AT_TARGET: f64 = 1e-9;
 
 /// Direction in which a point is left; without one, the last before it, else the next after it.
@@ -145,7 +145,7 @@ impl Rail {
 /// Where a section looks that follows a rule.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Look {
-    /// So far ahead along the way; 0: along the tangent.
+    /// At this distance ahead along the way; 0: along the tangent.
     Ahead(f64),
     /// At a point of the world.
     Target(DVec3),
@@ -257,7 +257,7 @@ pub(super) struct TransportedFrame {
 }
 
 impl UpAlong {
-    /// By how much an up that does not turn about the view by itself is turned, from φ = 0 to 1.
+    /// The turn about the view, from φ = 0 to 1, of a minimal up or of one at rest; none for others.
     pub(super) fn twist(&self, moves: bool) -> Option<f64> {
         match self {
             Self::Minimal(carried) => Some(carried.turn[1] - carried.turn[0]),

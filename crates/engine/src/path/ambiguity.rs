@@ -60,7 +60,7 @@ pub fn half_turn(path: &CameraPath, timeline: &Timeline, section: usize) -> Opti
 
 /// How a section turns.
 enum Turn {
-    /// With the way, towards a target, with this axis upright.
+    /// With the way, towards a target, with this up axis.
     Tracks(DVec3, Up),
     /// From one orientation to another.
     Free(DQuat, DQuat),

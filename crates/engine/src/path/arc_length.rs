@@ -377,8 +377,8 @@ fn invert_within<V: Vector>(piece: &Piece, lengths: &[f64], parameters: &mut [f6
 }
 
 /// Newton's steps from a good guess, for vectors whose operations run beside each other;
-/// tells which lanes arrived. Two steps are the rule, a third serves only the lanes that need it,
-/// so that no lane depends on the others.
+/// `arrived` gets the lanes that converged. Two steps are the rule, a third serves only the lanes
+/// that need it, so that no lane depends on the others.
 #[inline(always)]
 fn newton<V: Vector>(
     piece: &Piece,
@@ -466,7 +466,7 @@ fn store_all<V: Vector>(values: [V; BESIDE], to: &mut [f64; MAX_LANES]) {
 pub struct ArcLength {
     pieces: Vec<Piece>,
     length: f64,
-    /// What the pieces are enlarged by; 1 but for a tiny curve.
+    /// What the pieces are enlarged by; 1 except for a tiny curve.
     scale: f64,
 }
 

@@ -8,7 +8,7 @@ properties! {
     /// The four base speeds (thesis B.2.2): frames for one unit of change at speed 50, finite and > 0.
     #[derive(Copy)]
     pub struct BaseFrames {
-        /// `move_speed`: frames for a way of one half size of the space.
+        /// `move_speed`: frames for half the edge of the space.
         pub movement: f64 = 100.0 => base_speed(&["move_frames"]),
         /// `orient_speed`: frames for turning the view by 180°.
         pub turning: f64 = 100.0 => base_speed(&["turn_frames"]),

@@ -24,20 +24,20 @@ pub struct Builder {
 }
 
 impl Builder {
-    /// Every camera looks at this place; without it along −z, or −x where z is upright.
+    /// Every camera looks at this place; without it along −z, or −x if z is up.
     pub const fn looking_at(mut self, target: DVec3) -> Self {
         self.target = Some(target);
         self
     }
 
     /// Where the path lies; without it the smallest cube round its points and its target, with a
-    /// tenth to spare. It has its own upright axis: what [`Builder::up`] says does not count then.
+    /// tenth to spare. It has its own up axis: [`Builder::up`] is then ignored.
     pub const fn in_space(mut self, space: Space) -> Self {
         self.space = Some(space);
         self
     }
 
-    /// Which axis is upright; without it y.
+    /// Which axis is up; without it y.
     pub const fn up(mut self, up: Up) -> Self {
         self.up = up;
         self

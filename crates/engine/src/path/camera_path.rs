@@ -55,7 +55,7 @@ impl Stored for CurveParameters {
 }
 
 impl CurveParameters {
-    /// A preset that there is, or values of its own in range.
+    /// Checks that the preset exists, or that the custom values are in range.
     ///
     /// # Errors
     /// [`crate::Error::Range`].
@@ -195,7 +195,7 @@ impl Default for Orientation {
 }
 
 impl Orientation {
-    /// The orientation of a new path in a space: towards −z, or −x where z stands upright.
+    /// The orientation of a new path in a space: towards −z, or −x if z is up.
     #[must_use]
     pub fn new_in(space: Space) -> Self {
         Self {

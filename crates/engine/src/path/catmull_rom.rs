@@ -36,7 +36,7 @@ pub fn tangent(previous: DVec3, next: DVec3) -> DVec3 {
     (next - previous) / 2.0
 }
 
-/// The segment from `p[1]` to `p[2]` with `p[0]` and `p[3]` beside it.
+/// The segment from `p[1]` to `p[2]` with the neighbours `p[0]` and `p[3]`.
 #[must_use]
 pub fn segment(p: [DVec3; 4]) -> Cubic {
     Cubic::hermite(p[1], p[2], tangent(p[0], p[2]), tangent(p[1], p[3]))

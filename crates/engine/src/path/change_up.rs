@@ -1,7 +1,7 @@
-//! Another axis made upright without turning what one sees (`docs/path.md`, another axis upright).
+//! Another up axis, without turning what the camera sees (`docs/path.md`, another up axis).
 //!
-//! Free turnings do not know what is upright: their keys get the roll that they have against the
-//! new axis. Sections that track a target or look along the way do know it, so their keys keep the
+//! Free turnings do not depend on the up axis: their keys get the roll that they have against the
+//! new axis. Sections that track a target or look along the way do, so their keys keep the
 //! old axis as a fixed up.
 
 use glam::{DQuat, DVec3};
@@ -51,9 +51,9 @@ impl Slot<'_> {
     }
 }
 
-/// The same path with another axis upright: each pose stays, between frames too, to 1e-12. Where
-/// views track or follow, the axis that was upright becomes their fixed up; fixed ups by the new
-/// axis become the upright one.
+/// The same path with another up axis: each pose stays, between frames too, to 1e-12. Where
+/// views track or follow, the former up axis becomes their fixed up; fixed ups by the new
+/// axis become [`UpVector::Axis`].
 ///
 /// # Errors
 /// [`crate::Error::Memory`]; as [`CameraPath::check`].
@@ -181,7 +181,7 @@ const fn turn(up: Up) -> DQuat {
     }
 }
 
-/// A run of minimal ups begins with the upright axis: with another one, all of it is rolled.
+/// A run of minimal ups begins with the up axis: with another one, all of it is rolled.
 fn roll_minimal(path: &mut CameraPath, slots: &[Slot<'_>]) -> Result<()> {
     let minimal = |slot: &Slot<'_>| slot.orientation.own.up == UpVector::Minimal;
     if !slots.iter().any(minimal) {

@@ -1,6 +1,6 @@
-//! Where a path lies in the user's world: a cube round a centre, and which axis stands upright.
-//! Positions are the world's throughout; only thresholds and base speeds count in half sizes, and
-//! only what knows a vertical is computed in y-up axes.
+//! Where a path lies in the user's world: a cube round a centre, and which axis is up.
+//! Positions are the world's throughout; only thresholds and base speeds count in units of
+//! `half_size`, and only what knows a vertical is computed in y-up axes.
 
 use glam::DVec3;
 
@@ -11,7 +11,7 @@ use crate::property::named::named;
 use crate::property::same_bits::SameBits;
 
 named! {
-    /// The axis of the world that stands upright.
+    /// The axis of the world that is up.
     #[derive(Hash)]
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
     pub enum Up {
@@ -77,11 +77,11 @@ impl Up {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Space {
-    /// Its centre, each coordinate at most [`limits::MAX_COORDINATE`] half sizes.
+    /// Its centre, each coordinate at most [`limits::MAX_COORDINATE`] times `half_size`.
     pub centre: DVec3,
     /// Half the length of an edge, [`limits::MIN_HALF_SIZE`] to [`limits::MAX_HALF_SIZE`].
     pub half_size: f64,
-    /// The axis that stands upright.
+    /// The axis that is up.
     pub up: Up,
 }
 
@@ -98,14 +98,14 @@ impl SameBits for Space {
 }
 
 impl Space {
-    /// The cube [−1, 1]³, y upright.
+    /// The cube [−1, 1]³, y up.
     pub const NEW: Self = Self {
         centre: DVec3::ZERO,
         half_size: 1.0,
         up: Up::Y,
     };
 
-    /// Checks that centre and half size can be computed with.
+    /// Checks that `centre` and `half_size` are in range.
     ///
     /// # Errors
     /// [`Error::Argument`] or [`Error::Range`].
@@ -164,13 +164,13 @@ impl Space {
         self.centre + self.half_size
     }
 
-    /// An offset in the cube [−1, 1]³ with y upright, in the world.
+    /// An offset in the cube [−1, 1]³ with y up, in the world.
     #[must_use]
     pub fn offset(self, v: DVec3) -> DVec3 {
         self.up.world(v * self.half_size)
     }
 
-    /// A place in the cube [−1, 1]³ with y upright, in the world.
+    /// A place in the cube [−1, 1]³ with y up, in the world.
     #[must_use]
     pub fn place(self, p: DVec3) -> DVec3 {
         self.centre + self.offset(p)

@@ -70,7 +70,7 @@ pub fn tangents(path: &CameraPath, point: usize) -> Tangents {
     }
 }
 
-/// What one side of a point tells of its tangent m: the next tangent there is a − b·m.
+/// One side of a point with the tangent m: the next tangent there is a − b·m.
 #[derive(Clone, Copy)]
 struct Side {
     a: DVec3,

@@ -1,6 +1,6 @@
 //! The choice of vectors: code over [`vector::Vector`] is compiled once for every processor and
 //! once for those with AVX2 and fused multiplication (every 64-bit ARM has that); they agree to
-//! rounding. All that is called from here must be forced inline, since a function of its own would
+//! rounding. All that is called from here must be forced inline, since a separate function would
 //! be compiled for the plainest processor. `--cfg vides_no_simd` leaves only the first, to measure
 //! and to test it.
 

@@ -51,7 +51,7 @@ struct Records([f64; 10 * STRIDE]);
 
 /// Working memory that one call hands from section to section.
 pub(super) struct Scratch {
-    /// The tables of a section that has none of its own yet.
+    /// The tables of a section that does not keep any yet.
     tables: Tables,
     /// The poses are wanted once: only long sections keep tables.
     pub(super) once: bool,
@@ -77,8 +77,8 @@ impl Scratch {
     }
 }
 
-/// Shorter sections keep their tables only when they are filled again: that takes memory and time
-/// of its own, for nothing if every pose is wanted once.
+/// Shorter sections keep their tables only when they are filled again: that costs more memory
+/// and time, for nothing if every pose is wanted once.
 const KEEP: usize = 1024;
 
 /// Which frames of a section are wanted, counted from its start.
@@ -332,7 +332,7 @@ fn view_from_quaternion<V: Vector>(q: [V; 4]) -> [V; 6] {
 }
 
 /// View direction and up of a camera that looks at a target at `offset`. Where there is no
-/// direction or no yaw the result is mended by [`resolve_singularities`].
+/// direction or no yaw, [`resolve_singularities`] replaces the result.
 #[inline(always)]
 fn view_at_target<V: Vector>(offset: [V; 3], sin: V, cos: V) -> [V; 6] {
     let [x, y, z] = offset;

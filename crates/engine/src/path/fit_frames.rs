@@ -62,8 +62,8 @@ fn range(path: &CameraPath, timeline: &Timeline, first: usize, last: usize) -> R
     Ok(found)
 }
 
-/// Frames for the moving sections of a range of points (from 0), so that there are exactly `frames`
-/// from the first pose at `first` to the last at `last`, holds included. Proportions are kept.
+/// Frames for the moving sections of a range of points (from 0), with exactly `frames` from the first
+/// pose at `first` to the last at `last`, holds included. Proportions are kept.
 ///
 /// # Errors
 /// [`crate::Error::Range`] for a range that does not exist, or fewer or more frames than it can

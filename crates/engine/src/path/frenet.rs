@@ -10,7 +10,7 @@ use super::hermite::{Cubic, end_direction};
 use crate::error::{Result, vec_with_room};
 use crate::math::rotation_minimising::{perpendicular, shortest, signed_angle, turned};
 
-/// |P′ × P″| below this share of the squared size is none: there the normal is exact to 1e-7.
+/// |P′ × P″| below this share of the squared size counts as zero: there the normal is exact to 1e-7.
 const STRAIGHT: f64 = 1e-9;
 
 /// How far beside an inflection, in t, its two sides are compared.

@@ -199,7 +199,7 @@ struct Wanted {
     zoom_slope: f64,
 }
 
-/// The new point, which so far owns only its pace, and what it and its neighbours must have.
+/// The new point, with nothing custom but its pace, and what it and its neighbours must have.
 fn divide(
     path: &CameraPath,
     timeline: &Timeline,

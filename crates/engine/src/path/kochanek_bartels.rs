@@ -74,7 +74,7 @@ fn step(kind: CurveKind, chord: DVec3) -> f64 {
     }
 }
 
-/// A segment's own chord and that beside it, each times its share of a tangent per parameter of
+/// A segment's own chord and its neighbour's, each times its share of a tangent per parameter of
 /// the segment: of three-point slopes, or 1 and 1 between uniform knots.
 fn weighted(kind: CurveKind, own: DVec3, beside: DVec3) -> [DVec3; 2] {
     let [here, there] = [own, beside].map(|chord| step(kind, chord));

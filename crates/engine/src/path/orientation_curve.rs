@@ -37,7 +37,7 @@ pub(super) struct Key {
     pub view: DVec3,
     /// Radians.
     pub roll: f64,
-    /// Up before the roll, where it is not the upright axis.
+    /// Up before the roll, where it is not the up axis.
     pub reference: Option<DVec3>,
     pub turning: Tcb,
     /// With the sign that continues the key before it.
@@ -92,7 +92,7 @@ enum Kind {
 }
 
 impl Kind {
-    /// Whether it has a roll of its own.
+    /// Whether its roll is a curve.
     fn has_roll_curve(self) -> bool {
         matches!(self, Self::Tracked(_) | Self::Follow(_))
     }
@@ -170,11 +170,11 @@ pub(super) struct Rates {
     pub reach: DVec3,
     pub leave: DVec3,
     pub roll_slope: Option<f64>,
-    /// Whether the velocities turn anything: a section beside it is free.
+    /// Whether the velocities have an effect: an adjacent section is free.
     pub acts: bool,
 }
 
-/// The rates of every key, as the mode tcb has them.
+/// The rates of every key in the mode tcb.
 pub(super) fn rates(
     keys: &mut [Key],
     spans: &[Span<'_>],

@@ -1,4 +1,4 @@
-//! What a point or an orientation may have of its own: tangents, pace, frames, velocities, slopes.
+//! Custom values of a point or an orientation: tangents, pace, frames, velocities, slopes.
 //!
 //! Few orientations have any, so it lies behind one pointer, which is empty for all others: plain
 //! paths stay small, and copying them needs no memory.
@@ -85,7 +85,7 @@ impl Stored for Pace {
 }
 
 properties! {
-    /// What an orientation may have of its own.
+    /// Custom values of an orientation.
     pub struct OrientationOverrides {
         /// Looks along the way, not at its target: along the tangent (0), or so far ahead on the curve.
         pub ahead: Option<f64> = None => Row {

@@ -10,7 +10,7 @@ use crate::error::Result;
 ///
 /// Frames and holds that are set are rounded so that each key stays within half a frame of its
 /// second, and the last pose rests until the path ends. Sections that go by length do so at base
-/// speeds of `ratio` times as many frames, rates and curve times go along.
+/// speeds of `ratio` times as many frames; rates and curve times follow.
 ///
 /// # Errors
 /// [`crate::Error::Range`] or [`crate::Error::Argument`] where something is then beyond its limits,

@@ -180,7 +180,7 @@ impl Sampler {
         }
     }
 
-    /// The sections in which something changes, for whoever plans their pace.
+    /// The sections in which something changes, for planning their pace.
     pub(crate) fn courses(&self) -> impl Iterator<Item = &SectionSampler> {
         self.sections.iter()
     }
@@ -442,7 +442,7 @@ pub(super) fn zoom_slopes(
     Ok(slopes)
 }
 
-/// Clips an own slope of the zoom so that the inner Bézier points beside it, and by their hull
+/// Clips an own slope of the zoom so that the adjacent inner Bézier points, and by their hull
 /// every value, are valid zooms. `steps` are the curve times of the sections before and after.
 fn limited_slope(own: f64, zoom: f64, steps: [Option<f64>; 2]) -> f64 {
     let [before, after] = steps.map(|step| step.map_or(0.0, |step| step / 3.0));

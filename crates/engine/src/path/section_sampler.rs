@@ -84,7 +84,7 @@ pub(crate) struct SectionSampler {
     /// Where the camera moves; None where it stays at `position`.
     pub(super) way: Option<ArcLengthCurve>,
     pub(super) position: DVec3,
-    /// In the upright axes of `space`.
+    /// In the y-up axes of `space`.
     pub(super) turning: Turning,
     /// The path's; where a target is tracked its `up` is what the roll is measured against.
     pub(super) space: Space,
@@ -97,7 +97,7 @@ pub(crate) struct SectionSampler {
 }
 
 impl SectionSampler {
-    /// The same for sections with the same poses of their own, wherever in the path.
+    /// The same for sections with the same poses, wherever in the path.
     pub(super) fn fingerprint(&self) -> u64 {
         let mut fingerprint = Fingerprint::default();
         fingerprint.add([self.frames as f64]);
@@ -309,7 +309,7 @@ impl SectionSampler {
     }
 
     /// The pose at φ where there is no polynomial for it: the view follows the way, or has no
-    /// direction of its own.
+    /// direction.
     pub(super) fn pose(&self, tables: &Tables, phi: f64) -> Pose {
         let place = |phi: f64| self.place(&tables.arc, phi);
         let (view, up) = self.turning.view_at(phi, &place, self.space);

@@ -46,7 +46,7 @@ impl Move {
         self.to.centre + self.offset(p - self.from.centre)
     }
 
-    /// A fixed up. Only the upright axis goes along to one that can be a fixed up.
+    /// A fixed up. If the up axis changes, only a fixed up by the former one can follow.
     fn axis(self, axis: Up) -> Result<Up> {
         if self.from.up == self.to.up {
             return Ok(axis);

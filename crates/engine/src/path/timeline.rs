@@ -21,7 +21,7 @@ use crate::limits::{BASE_SPEED, MAX_FRAMES, ZOOM_UNIT};
 use crate::math::rotation_minimising::signed_angle;
 use crate::math::{orientation, quaternion};
 
-/// Less than this is no change: half sizes of the space, radians, degrees, zoom.
+/// Less than this is no change: units of `half_size`, radians, degrees, zoom.
 const NO_CHANGE: f64 = 1e-9;
 
 /// Share by which a number of frames may fall short of a half and still be rounded up.
@@ -211,7 +211,7 @@ impl Timeline {
         }
     }
 
-    /// Whether ups by the normal are the upright axis.
+    /// Whether ups by the normal are the up axis.
     pub(super) fn has_no_normals(&self) -> bool {
         self.alignment
             .as_ref()
@@ -219,7 +219,7 @@ impl Timeline {
     }
 
     /// Up before the roll of an orientation with this view, in y-up axes; `None` where it is the
-    /// upright axis.
+    /// up axis.
     pub(super) fn reference(
         &self,
         path: &CameraPath,

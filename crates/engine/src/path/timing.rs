@@ -68,7 +68,7 @@ fn pieces(keys: &[[f64; 2]]) -> Result<Vec<DistancePiece>> {
     Ok(pieces)
 }
 
-/// Those of keys with slopes of their own, made smaller where the way would go back.
+/// The pieces of keys with custom slopes, which are reduced where the way would go back.
 fn track_pieces(keys: &[[f64; 3]]) -> Result<Vec<DistancePiece>> {
     let mut pieces = vec_with_room(keys.len() - 1)?;
     for pair in keys.windows(2) {

@@ -28,7 +28,7 @@ pub(super) enum Turning {
     Kept(DVec3, DVec3),
     /// Looks at a point of the world; the roll in radians in powers of φ.
     Tracked(DVec3, [f64; 4]),
-    /// Looks along the way, or has an up that is not the upright axis.
+    /// Looks along the way, or has an up that is not the up axis.
     Follow(Box<Follow>),
 }
 

@@ -1,4 +1,4 @@
-//! Which way is up for a camera, in place of the upright axis (Kolb, Computergraphik II, 9.2.2).
+//! Which way is up for a camera, in place of the up axis (Kolb, Computergraphik II, 9.2.2).
 
 use std::sync::Arc;
 
@@ -12,7 +12,7 @@ use crate::property::{Kind, SameBits, Stored, Value};
 /// Which way is up before the roll.
 #[derive(Debug, Clone, Default)]
 pub enum UpVector {
-    /// The upright axis of the space.
+    /// The up axis of the space.
     #[default]
     Axis,
     /// Towards a point of the world.
@@ -23,7 +23,7 @@ pub enum UpVector {
     Minimal,
     /// The principal normal of the curve.
     Frenet,
-    /// This axis of the world, whatever is upright.
+    /// This axis of the world, whichever axis is up.
     Fixed(Up),
 }
 
@@ -107,7 +107,7 @@ impl UpVector {
         matches!(self, Self::Axis | Self::Fixed(_))
     }
 
-    /// Whether two ups are the same where `upright` is: the upright axis by either name.
+    /// Whether two ups are the same if `upright` is the up axis, which has two names.
     #[must_use]
     pub fn same(&self, other: &Self, upright: Up) -> bool {
         match (self.level(upright), other.level(upright)) {

@@ -1,5 +1,5 @@
 //! Which way is up at the orientations of a path and along its sections (`docs/path.md`, which way
-//! is up), where it is not the upright axis. A minimal up depends on the way to it, so all are
+//! is up), where it is not the up axis. A minimal up depends on the way to it, so all are
 //! computed at once, from the curve and the views alone, before there are frames.
 
 use std::sync::Arc;
@@ -94,7 +94,7 @@ pub fn any(path: &CameraPath) -> bool {
     all.any(|orientation| !orientation.own.up.is_level())
 }
 
-/// Up for a view, rolled from a reference; without one, from the upright axis.
+/// Up for a view, rolled from a reference; without one, from the up axis.
 pub(super) fn rolled(view: DVec3, reference: Option<DVec3>, roll: f64) -> DVec3 {
     match reference {
         None => up_from_roll(view, roll),

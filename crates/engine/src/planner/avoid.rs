@@ -79,8 +79,8 @@ pub struct Avoided {
 /// Shares of the distance kept beyond it on the way round, so that a smooth curve follows it.
 const ROOM: [f64; 2] = [0.06, 0.002];
 
-/// Rounds in which the distance grows, where frames are so far apart that the straight lines
-/// between them meet the object.
+/// Rounds in which the distance grows, since the straight lines between frames that are far apart
+/// still meet the object.
 const ROUNDS: usize = 4;
 
 /// A way round is at most so many times as long as the part of the curve that it stands for, where

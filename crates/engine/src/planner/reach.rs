@@ -221,7 +221,7 @@ impl Reach {
     }
 
     /// The fastest pace that ends in `end`, given the fastest from its start; none if that does
-    /// not get so far or cannot slow down so much.
+    /// not reach this speed or cannot slow down to it.
     pub(super) fn ending(&self, ahead: &[f64], end: f64) -> Result<Option<Vec<f64>>> {
         let last = self.cells.len();
         if ahead[last] < end * (1.0 - 1e-9) {

@@ -305,8 +305,8 @@ impl Scene {
         Ok(chain)
     }
 
-    /// Where a node's coordinates are in the world, of nobody those of the world; costs what the node
-    /// hangs in, unless somebody aims there.
+    /// The world matrix of a node; of none, the identity. Costs as much as the node's ancestors are,
+    /// unless one of them aims at a node.
     pub(super) fn world_of(&self, node: Option<usize>, frame: f64) -> Result<DAffine3> {
         let Some(node) = node else {
             return Ok(DAffine3::IDENTITY);

@@ -71,10 +71,23 @@ pub struct Camera {
 }
 
 impl Default for Camera {
+    /// For a space of half size 1.
     fn default() -> Self {
         Self {
             near: 0.01,
             far: 1000.0,
+        }
+    }
+}
+
+impl Camera {
+    /// The planes of a new camera in a space of this half size, > 0.
+    #[must_use]
+    pub fn for_size(half_size: f64) -> Self {
+        let Self { near, far } = Self::default();
+        Self {
+            near: near * half_size,
+            far: (far * half_size).min(MAX_COORDINATE),
         }
     }
 }

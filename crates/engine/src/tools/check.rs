@@ -308,8 +308,8 @@ impl Scan<'_> {
         self.see(kind, frames, there.then_some(value), -1.0)
     }
 
-    /// Whether a sudden stop or start at a frame is no finding: the section has no ease, and nobody
-    /// has set a limit of this kind.
+    /// Whether a sudden stop or start at a frame is no finding: the section has no ease, and
+    /// the limit of this kind is the default.
     fn may_stop(&self, kind: FindingKind, frame: usize) -> bool {
         self.against.limits.get(kind) == kind.limit().default
             && self.stops.binary_search(&frame).is_ok()

@@ -339,7 +339,8 @@ impl Primitive {
             .unwrap_or(a)
     }
 
-    /// How far ahead a ray meets a triangle, or passes a line and how far beside it for each unit.
+    /// How far ahead a ray meets a triangle, or passes a line, then with its distance from it per unit
+    /// of the way.
     pub(super) fn ahead(&self, from: DVec3, way: DVec3) -> Option<(f64, Option<f64>)> {
         let [a, b, c] = self.0.map(|corner| corner - from);
         let normal = (b - a).cross(c - a);

@@ -2,12 +2,13 @@
 //!
 //! First splines that are smooth and near the poses (`fit/motion.rs`); then pieces, each as long as
 //! it may be (`fit/piece.rs`), that begin and end in the states of the splines, at a pace of their
-//! own (`fit/pace.rs`): so directions, speeds and turning go on from one to the next, and
-//! accelerations nearly; those of the turning then wholly (`fit/joins.rs`). If the path misses a
+//! own (`fit/pace.rs`): so directions, speeds and turning are continuous from one to the next,
+//! accelerations nearly, and those of the turning exactly, after `fit/joins.rs`. If the path misses a
 //! pose after all, it is made again with the noise left in.
 
 mod corners;
 mod joins;
+mod jumps;
 mod measure;
 mod motion;
 mod pace;
@@ -34,7 +35,7 @@ use crate::path::{
     Target, Up, Velocities,
 };
 
-/// A pose missed by no more than so many times the tolerance counts as met.
+/// A pose missed by at most this multiple of the tolerance counts as met.
 const WITHIN: f64 = 1.001;
 
 /// How well the path must meet the poses.
@@ -47,6 +48,24 @@ pub struct Tolerance {
 }
 
 impl Tolerance {
+    /// What is usual: 1/1000 of the diagonal of the positions' bounds, and half a degree; for
+    /// positions that are one, a length of 0.001.
+    #[must_use]
+    pub fn usual(poses: &[Pose]) -> Self {
+        let places = || poses.iter().map(Pose::position);
+        let low = places().fold(DVec3::INFINITY, DVec3::min);
+        let high = places().fold(DVec3::NEG_INFINITY, DVec3::max);
+        let diagonal = 1e-3 * low.distance(high);
+        Self {
+            position: if diagonal > 0.0 && diagonal.is_finite() {
+                diagonal
+            } else {
+                1e-3
+            },
+            angle: 0.5,
+        }
+    }
+
     /// Both in range.
     ///
     /// # Errors
@@ -69,7 +88,7 @@ pub struct Options {
     pub tolerance: Tolerance,
     /// The space of the path; none: the smallest round the positions, with a tenth to spare.
     pub space: Option<Space>,
-    /// What stands upright where no space says.
+    /// The up axis, if `space` is none.
     pub up: Up,
     /// Poses that are off by more than the tolerance from what those around them say are left out.
     pub robust: bool,
@@ -103,8 +122,8 @@ pub type Progress<'a> = &'a mut dyn FnMut(usize, usize) -> bool;
 struct Data {
     /// In frames from the first; those near a whole frame stand at it.
     times: Vec<f64>,
-    /// One for each time. Where the recording ends between frames, the last one is none of its
-    /// poses but what it is on its way to at the next frame.
+    /// One for each time. Where the recording ends between frames, the last one is not a
+    /// recorded pose but what it is on its way to at the next frame.
     raw: Vec<Sample>,
     /// Which pose of the recording each is: poses at equal times are dropped.
     numbers: Vec<usize>,
@@ -112,6 +131,9 @@ struct Data {
     unit: Option<TimeUnit>,
     /// Which of them do not count.
     left_out: Vec<bool>,
+    /// The poses before a cut.
+    cuts: Vec<usize>,
+    gaps: usize,
     tolerance: f64,
     /// Radians.
     angle: f64,
@@ -185,11 +207,13 @@ pub fn fit(
     if options.robust {
         data.leave_out()?;
     }
+    (data.cuts, data.gaps) = data.jumps()?;
     let (path, measured) = data.best(progress)?;
     let outliers = data.outliers();
     let mut left_out = vec_with_room(outliers.clone().count())?;
     left_out.extend(outliers);
-    let report = data.report(&path, &measured, poses.len())?;
+    let mut report = data.report(&path, &measured, poses.len())?;
+    report.better = data.better(&report, progress)?;
     Ok(Fitted {
         path,
         left_out,
@@ -197,7 +221,49 @@ pub fn fit(
     })
 }
 
-/// One point for so many poses is few enough.
+/// The path of at most so many points, at least 2, that needs the least tolerance, to within a
+/// twentieth; and that tolerance. [`Options::tolerance`] has the ratio of length and angle.
+///
+/// # Errors
+/// As [`fit`]; [`crate::Error::Range`] for fewer than two points or where no tolerance up to 1,000
+/// times that of the options leads to so few.
+pub fn fit_points(
+    poses: &[Pose],
+    seconds: Option<&[f64]>,
+    fps: f64,
+    options: &Options,
+    points: usize,
+    progress: Progress<'_>,
+) -> Result<(Fitted, Tolerance)> {
+    options.tolerance.check()?;
+    let with = |times: f64| Options {
+        tolerance: Tolerance {
+            position: times * options.tolerance.position,
+            angle: (times * options.tolerance.angle).min(180.0),
+        },
+        ..*options
+    };
+    let mut best: Option<(Fitted, Tolerance)> = None;
+    // Powers of two by halving the interval of their exponents.
+    let [mut low, mut high] = [-10.0_f64, 10.0];
+    while high - low > 0.07 {
+        let middle = match best {
+            None if low == -10.0 => 0.0,
+            _ => 0.5 * (low + high),
+        };
+        let options = with(middle.exp2());
+        let fitted = fit(poses, seconds, fps, &options, progress)?;
+        if fitted.path.points.len() <= points {
+            high = middle;
+            best = Some((fitted, options.tolerance));
+        } else {
+            low = middle;
+        }
+    }
+    best.ok_or_else(|| OutOfRange::TooFewFittedPoints.into())
+}
+
+/// Poses per point from which on a path has few enough points.
 const FEW: usize = 6;
 
 /// What is tried in turn until there are few enough points, with such a share of the tolerance: a
@@ -221,7 +287,26 @@ enum Follow {
     ByPoints,
 }
 
+/// A path of so many points has more than a third of the poses.
+const MANY: usize = 3;
+
+/// So many standard deviations of a coordinate no noise is far from the flight.
+const BEYOND_NOISE: f64 = 4.5;
+
 impl Data {
+    /// Where there are many points, a tolerance beyond the noise if it needs at most half of them.
+    fn better(&mut self, report: &Report, progress: Progress<'_>) -> Result<Option<(f64, usize)>> {
+        let tolerance = BEYOND_NOISE * report.noise;
+        if MANY * report.points <= report.poses || !(tolerance > self.tolerance) {
+            return Ok(None);
+        }
+        let given = std::mem::replace(&mut self.tolerance, tolerance);
+        let made = self.best(progress);
+        self.tolerance = given;
+        let points = made?.0.points.len();
+        Ok((2 * points <= report.points).then_some((tolerance, points)))
+    }
+
     /// The path of fewest points that meets all poses, else the one that misses them least.
     fn best(&mut self, progress: Progress<'_>) -> Result<(CameraPath, Measured)> {
         if self.stands() {

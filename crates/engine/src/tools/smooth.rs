@@ -320,8 +320,8 @@ mod tests {
     const TIMES: [f64; 7] = [0.0, 1.0, 1.5, 4.0, 5.0, 9.0, 10.0];
     const ROWS: [[f64; 1]; 7] = [[1.0], [3.0], [2.0], [5.0], [-1.0], [0.0], [4.0]];
 
-    /// SciPy 1.17: `CubicSpline` with such second derivatives at the ends that they are those
-    /// beside them; and with weights of ½ the values at which the gradient of the sum that is to
+    /// SciPy 1.17: `CubicSpline` whose second derivatives at the ends equal those of the adjacent
+    /// knots; and with weights of ½ the values at which the gradient of the sum that is to
     /// be least, differences of it by that spline, is 0 to 1e-11.
     #[test]
     fn it_is_the_spline_of_another_library() {

@@ -4,7 +4,7 @@
 
 mod binary;
 mod model;
-mod natural;
+mod search;
 mod text;
 mod write;
 
@@ -23,7 +23,7 @@ use super::source::Source;
 pub(super) static COLMAP: Format = Format {
     name: "colmap",
     title: "COLMAP",
-    recognises: |source| ending(source).is_some(),
+    recognises,
     read: Some(read),
     parts: &[
         ("cameras.txt", write::cameras),
@@ -43,7 +43,26 @@ pub(super) static COLMAP: Format = Format {
     ..Format::PLAIN
 };
 
+fn recognises(source: &Source) -> bool {
+    let folder = source.folder.as_deref().filter(|_| source.is_folder);
+    folder.map_or_else(
+        || ending(source).is_some(),
+        |folder| search::model(folder).is_some(),
+    )
+}
+
 fn read(source: &Source, _: &Options, report: &mut Report) -> Result<Content> {
+    let folder = source.folder.as_deref().filter(|_| source.is_folder);
+    if let Some((folder, others)) = folder.and_then(search::model) {
+        if let Some(others) = others {
+            report.add(others);
+        }
+        return read_model(&Source::open(&folder)?, report);
+    }
+    read_model(source, report)
+}
+
+fn read_model(source: &Source, report: &mut Report) -> Result<Content> {
     let ending = ending(source).unwrap_or("txt");
     let is_text = ending == "txt";
     let mut model = Model::default();
@@ -76,25 +95,19 @@ fn read(source: &Source, _: &Options, report: &mut Report) -> Result<Content> {
     model.recording(report).map(Content::Poses)
 }
 
-/// Whether a model is binary or text; COLMAP takes `.bin` before text.
+/// Whether the model of a folder, or the one of which a file is a part, is binary or text.
 fn ending(source: &Source) -> Option<&'static str> {
     let folder = source.folder.as_deref()?;
-    let there = |ending: &&str| {
-        let parts = ["cameras", "images"];
-        let mut files = parts
-            .iter()
-            .map(|part| folder.join(format!("{part}.{ending}")));
-        files.all(|file| file.is_file())
-    };
-    let mut endings = ["bin", "txt"].into_iter().filter(there);
     if source.is_folder {
-        return endings.next();
+        return search::ending(folder);
     }
-    let name = Path::new(&source.name).file_name()?.to_str()?;
-    endings.find(|ending| {
-        let stem = name.strip_suffix(ending).unwrap_or("");
-        ["cameras.", "images.", "points3D."].contains(&stem)
-    })
+    let (stem, ending) = Path::new(&source.name)
+        .file_name()?
+        .to_str()?
+        .rsplit_once('.')?;
+    let is_part = ["cameras", "images", "points3D"].contains(&stem);
+    let has = |found: &&str| is_part && *found == ending;
+    search::endings(folder).find(has)
 }
 
 /// Reads one of the files; errors name it.

@@ -6,12 +6,12 @@ use glam::{DQuat, DVec3};
 use vides_engine::limits::MAX_OBJECT_POINTS;
 use vides_engine::math::camera::CameraAxes;
 
-use super::natural;
 use crate::content::Recording;
 use crate::convention;
 use crate::error::{Cause, Error, Place, Result, Wanted};
 use crate::lens::{Lens, Lenses};
 use crate::loss::{Loss, Report};
+use crate::natural;
 
 /// What the three files hold.
 #[derive(Default)]

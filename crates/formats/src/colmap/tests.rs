@@ -233,3 +233,92 @@ fn counts_are_believed_as_far_as_the_bytes_reach() {
     }
     assert!(recording(whole.path()).is_ok());
 }
+
+/// Writes a model of so many images into a folder below another one.
+fn put(project: &Path, name: &str, ending: &str, images: usize) {
+    let folder = project.join(name);
+    std::fs::create_dir_all(&folder).unwrap();
+    let file = |part: &str| folder.join(format!("{part}.{ending}"));
+    let mut lines = String::new();
+    for at in 0..images {
+        lines += &format!("{at} 1 0 0 0 0 0 0 7 {name} {at}.png\n\n");
+    }
+    std::fs::write(file("cameras"), CAMERAS).unwrap();
+    std::fs::write(file("images"), lines).unwrap();
+}
+
+fn images(folder: &Path) -> (usize, Vec<Loss>) {
+    let (read, report) = recording(folder).unwrap();
+    let mut losses = report.losses().to_vec();
+    losses.retain(|loss| *loss != Loss::Times);
+    (read.poses.len(), losses)
+}
+
+#[test]
+fn a_model_is_found_in_its_project() {
+    for place in [
+        "sparse/0",
+        "sparse",
+        "sparse/3",
+        "colmap/sparse/0",
+        "dense/sparse",
+        "0",
+    ] {
+        let project = tempfile::tempdir().unwrap();
+        std::fs::create_dir_all(project.path().join("images")).unwrap();
+        put(project.path(), place, "txt", 2);
+        assert_eq!(images(project.path()), (2, vec![]), "{place}");
+        let within = project.path().join("sparse");
+        if within.exists() {
+            assert_eq!(images(&within), (2, vec![]), "{place}");
+        }
+    }
+    // A model in the folder itself comes first, then those in `sparse`.
+    let project = tempfile::tempdir().unwrap();
+    put(project.path(), "copy", "txt", 4);
+    put(project.path(), "sparse/0", "txt", 2);
+    assert_eq!(images(project.path()), (2, vec![]));
+    put(project.path(), "", "txt", 3);
+    assert_eq!(images(project.path()), (3, vec![]));
+}
+
+#[test]
+fn of_several_models_the_one_with_most_images_is_read() {
+    let project = tempfile::tempdir().unwrap();
+    let chosen = |name: &str, images, others| {
+        vec![Loss::OtherModels {
+            read: Path::new(name).display().to_string().as_str().into(),
+            images,
+            others,
+        }]
+    };
+    for (name, images) in [("sparse/0", 2), ("sparse/1", 3), ("sparse/2", 3)] {
+        put(project.path(), name, "txt", images);
+    }
+    assert_eq!(images(project.path()), (3, chosen("sparse/1", 3, 2)));
+    assert_eq!(
+        images(&project.path().join("sparse")),
+        (3, chosen("1", 3, 2))
+    );
+    put(project.path(), "sparse/10", "txt", 4);
+    assert_eq!(images(project.path()), (4, chosen("sparse/10", 4, 3)));
+    // Of a binary model the count before its images decides.
+    let [cameras, mut many, _] = binaries();
+    let binary = project.path().join("sparse/11");
+    std::fs::create_dir(&binary).unwrap();
+    std::fs::write(binary.join("cameras.bin"), cameras).unwrap();
+    many[0] = 200;
+    std::fs::write(binary.join("images.bin"), many).unwrap();
+    let error = recording(project.path()).unwrap_err().to_string();
+    assert!(error.contains("images.bin: byte "), "{error}");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_model_outside_of_the_project_is_not_searched() {
+    let [project, other] = [(); 2].map(|()| tempfile::tempdir().unwrap());
+    put(other.path(), "sparse/0", "txt", 2);
+    std::os::unix::fs::symlink(other.path().join("sparse"), project.path().join("sparse")).unwrap();
+    let error = recording(project.path()).unwrap_err().to_string();
+    assert!(error.contains("no file of a format"), "{error}");
+}

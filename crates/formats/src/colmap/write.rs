@@ -37,7 +37,7 @@ pub(super) fn cameras(flight: &mut Flight<'_>, out: &mut dyn Write, _: &mut Repo
     let head = b"# CAMERA_ID MODEL WIDTH HEIGHT FX FY CX CY\n".to_vec();
     flight.write_poses(head, out, |flight, text, _, pose| {
         if let (number, true) = numbers.of(pose.zoom) {
-            let [width, height] = flight.options().size;
+            let [width, height] = flight.pixels();
             let focal = flight.focal_pixels(pose.zoom);
             let [x, y] = flight.size().map(|side| 0.5 * side);
             // Writing into a vector cannot fail.

@@ -1,7 +1,7 @@
 //! glTF 2.0 (Khronos 2021), text and GLB: nodes, cameras, lights, meshes and one animation, out
 //! and in.
 //!
-//! Times are seconds of 32 bits, y stands upright, cameras and lights look along −z. What is ours
+//! Times are seconds of 32 bits, y is up, cameras and lights look along −z. What is ours
 //! and has no place in the format stands in `extras.vides`.
 
 mod became;
@@ -20,6 +20,8 @@ mod place;
 mod read;
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod tests_far;
 #[cfg(test)]
 mod tests_read;
 mod write;

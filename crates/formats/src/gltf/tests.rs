@@ -500,3 +500,24 @@ proptest! {
         is_the_same(&document, &imported.document, &Options::default());
     }
 }
+
+/// A new camera sees everything, however large it is; planes that someone set are kept.
+#[test]
+fn a_camera_sees_what_is_there() {
+    let planes = |size: f64, own: &str| {
+        let text = format!(
+            "version = 1\n[space]\nhalf_size = {size:?}\n[object]\npoints = [[-{size:?}, 0.0, 0.0], \
+             [{size:?}, 0.0, 0.0]]\n[[node]]\nname = \"camera\"\nkind = \"camera\"\n{own}"
+        );
+        let document = SceneDocument::from_toml(&text).unwrap();
+        let (file, _) = written(&document, "gltf", &Options::default());
+        let json: serde_json::Value = serde_json::from_slice(&file).unwrap();
+        let lens = &json["cameras"][0]["perspective"];
+        [&lens["znear"], &lens["zfar"]].map(|plane| plane.as_f64().unwrap())
+    };
+    for size in [0.002, 1.0, 8000.0] {
+        let [near, far] = planes(size, "");
+        assert!(near <= 0.02 * size && far >= 100.0 * size, "{near} {far}");
+        assert_eq!(planes(size, "near = 0.5\nfar = 70.0\n"), [0.5, 70.0]);
+    }
+}

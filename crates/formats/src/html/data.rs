@@ -159,8 +159,8 @@ struct List<'a> {
 }
 
 impl List<'_> {
-    /// Writes `mesh` where `matrices` has it, at every frame or at all of them; `dots`: points of
-    /// no line and no face are drawn.
+    /// Writes `mesh` at the `matrices` of its middle, one a frame or one for all frames; `dots`:
+    /// points of no line and no face are drawn.
     fn write(
         &mut self,
         mesh: &Mesh,

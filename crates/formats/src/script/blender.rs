@@ -30,7 +30,7 @@ pub(crate) static BLENDER: Format = Format {
 
 fn write(flight: &mut Flight<'_>, out: &mut dyn Write, report: &mut Report) -> Result<()> {
     let first = first_frame(flight, report);
-    let head = data::head(flight, SCRIPT, first, report);
+    let head = data::head(flight, SCRIPT, first, report)?;
     let continued = Cell::new(Continued::default());
     flight.write_poses(head, out, |_, text, index, pose| {
         let mut before = continued.get();

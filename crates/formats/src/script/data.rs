@@ -3,6 +3,7 @@
 use std::io::Write;
 
 use glam::DVec3;
+use vides_engine::scene::{Camera, Kind};
 
 use crate::blocks;
 use crate::error::{Cause, Error, Place, Result};
@@ -47,7 +48,7 @@ pub(super) fn head(
     script: &'static str,
     first: i64,
     report: &mut Report,
-) -> Vec<u8> {
+) -> Result<Vec<u8>> {
     let mut text = around(script)[0].as_bytes().to_vec();
     let info = flight.info();
     let node = &flight.scene().nodes()[flight.node()];
@@ -60,16 +61,21 @@ pub(super) fn head(
         push_text(&mut text, value);
     }
     let half_size = flight.scene().space().half_size * flight.options().scale;
-    let [width, height] = flight.options().size;
+    let planes = match node.kind {
+        Kind::Camera(camera) => camera,
+        _ => Camera::default(),
+    };
+    let [near, far] = flight.planes(planes)?;
+    let [width, height] = flight.pixels();
     let (fps, up) = (flight.fps(), flight.up().name());
     let _ = write!(
         text,
-        ",\n\"up\": \"{up}\",\n\"half_size\": {half_size:?},\n\"fps\": {fps:?},\n\
+        ",\n\"up\": \"{up}\",\n\"half_size\": {half_size:?},\n\"clip\": [{near:?}, {far:?}],\n\"fps\": {fps:?},\n\
          \"first_frame\": {first},\n\"size\": [{width}, {height}],\n"
     );
     push_object(&mut text, flight, report);
     text.extend_from_slice(b"\"frames\": [");
-    text
+    Ok(text)
 }
 
 /// Appends the object's points, lines and triangles, in the file's coordinates.

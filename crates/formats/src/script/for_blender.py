@@ -61,8 +61,7 @@ def add_camera(scene, flight):
     lens = bpy.data.cameras.new(flight["camera"])
     lens.sensor_fit = "VERTICAL"
     lens.sensor_height = 24
-    lens.clip_start = flight["half_size"] / 1000
-    lens.clip_end = flight["half_size"] * 1000
+    lens.clip_start, lens.clip_end = flight["clip"]
     camera = bpy.data.objects.new(flight["camera"], lens)
     camera.rotation_mode = "QUATERNION"
     scene.collection.objects.link(camera)

@@ -78,7 +78,7 @@ fn read(source: &Source, _: &Options, report: &mut Report) -> Result<Content> {
 
 fn write(flight: &mut Flight<'_>, out: &mut dyn Write, report: &mut Report) -> Result<()> {
     let first = flight.number(0).round() as i64;
-    let head = data::head(flight, SCRIPT, first, report);
+    let head = data::head(flight, SCRIPT, first, report)?;
     let focus = Focus::new(flight)?;
     let sample =
         |flight: &Flight<'_>, from, framed: &mut [Framed]| focus.sample(flight, from, framed);

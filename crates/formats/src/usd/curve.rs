@@ -99,17 +99,36 @@ impl Curve {
         true
     }
 
-    /// The same as a track. Time codes before `start` lie before frame 1.
-    pub(super) fn into_track(mut self, channel: Channel, start: f64) -> Result<Track, EngineError> {
+    /// The same as a track.
+    pub(super) fn into_track(
+        mut self,
+        channel: Channel,
+        clock: Clock,
+    ) -> Result<Track, EngineError> {
         let by = if channel == Channel::Visible || self.as_step() {
             Interpolation::Step
         } else {
             Interpolation::Linear
         };
         for time in &mut self.times {
-            *time = *time - start + 1.0;
+            *time = clock.frame(*time);
         }
         Track::new(channel, by, self.times, self.values, Vec::new())
+    }
+}
+
+/// Turns time codes into frames; those before the start are before frame 1.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Clock {
+    /// Frames per time code.
+    pub(super) rate: f64,
+    /// The number of frame 1 in the file.
+    pub(super) start: f64,
+}
+
+impl Clock {
+    pub(super) fn frame(self, code: f64) -> f64 {
+        code * self.rate - self.start + 1.0
     }
 }
 
@@ -182,19 +201,32 @@ impl<'a> Stage<'a> {
             width,
             ..Curve::default()
         };
+        let mut blocked = false;
         self.each_value(attribute, &mut |lexer, time| {
             let (before, length) = (*lexer, curve.values.len());
             if !lexer.numbers(&mut curve.values)? {
+                blocked = true;
                 return Ok(());
             }
             if curve.values.len() - length != width {
                 return Err(before.expected(Wanted::Numbers(width)));
             }
             if let Some(time) = time {
-                if curve.times.last().is_some_and(|last| !(*last < time)) {
+                let last = curve.times.last().copied();
+                if last.is_some_and(|last| !(last < time)) {
                     return Err(before.wrong(Cause::Order));
                 }
-                curve.times.try_reserve(1)?;
+                curve.times.try_reserve(2)?;
+                // What is blocked keeps the value before.
+                if let Some(last) = last.filter(|_| blocked) {
+                    curve.values.try_reserve(width)?;
+                    curve.values.extend_from_within(length - width..length);
+                    curve.values[length..].rotate_right(width);
+                    curve
+                        .times
+                        .push((time - JUST_BEFORE).max((last + time) / 2.0));
+                }
+                blocked = false;
                 curve.times.push(time);
             }
             Ok(())

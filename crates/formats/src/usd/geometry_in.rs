@@ -143,7 +143,11 @@ fn colours(
             .attribute(prim, "primvars:displayColor:indices")
             .is_some();
         match attribute.interpolation {
-            "" | "constant" if !indexed => whole = stage.curve(prim, NAME, 3)?,
+            "" | "constant" if !indexed => match stage.list(prim, NAME)? {
+                Some((_, numbers)) if numbers.len() == 3 => whole = stage.curve(prim, NAME, 3)?,
+                Some((_, numbers)) if numbers.is_empty() => {}
+                _ => told.push("primvars:displayColor"),
+            },
             "vertex" | "varying" if !indexed && !attribute.samples => {
                 own_colours = stage
                     .list(prim, NAME)?

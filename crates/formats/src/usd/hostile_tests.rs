@@ -6,6 +6,7 @@ use proptest::prelude::*;
 use super::USDA;
 use super::read_tests::ALL;
 use super::tests::{KEYS, document, matrix, prim, read, written};
+use crate::loss::Loss;
 use crate::{Options, Source, import};
 
 fn refused(bytes: &[u8]) -> String {
@@ -38,24 +39,6 @@ fn what_is_wrong_is_named_with_its_line() {
                 "quatf xformOp:orient = (0, 0, 0, 0)\nuniform token[] xformOpOrder = [\"xformOp:orient\"]",
             ),
             "a.usda: line 5: the rotation is zero",
-        ),
-        (
-            prim(
-                "Mesh",
-                "point3f[] points = [(0, 0, 0)]\nint[] faceVertexIndices = [7]\nint[] faceVertexCounts = [1]",
-            ),
-            "a.usda: line 5: there is no number 7: there are 1",
-        ),
-        (
-            prim(
-                "Mesh",
-                "point3f[] points = [(0, 0, 0)]\nint[] faceVertexIndices = [0]\nint[] faceVertexCounts = [1, 1]",
-            ),
-            "a.usda: line 6: expected 2 numbers, found 1",
-        ),
-        (
-            prim("Mesh", "point3f[] points = [(0, nan, 0)]"),
-            "a.usda: line 4: the number must be finite",
         ),
         (
             prim("Camera", "float focalLength.timeSamples = { 2: 1, 1: 2 }"),
@@ -92,6 +75,70 @@ fn what_is_wrong_is_named_with_its_line() {
     for (text, said) in cases {
         assert_eq!(refused(text.as_bytes()), said, "{text}");
     }
+}
+
+/// A mesh that cannot be read is left out, and the camera comes.
+#[test]
+fn geometry_that_is_wrong_is_left_out() {
+    let cases = [
+        (
+            prim(
+                "Mesh",
+                "point3f[] points = [(0, 0, 0)]\nint[] faceVertexIndices = [7]\nint[] faceVertexCounts = [1]",
+            ),
+            "line 5: there is no number 7: there are 1",
+        ),
+        (
+            prim(
+                "Mesh",
+                "point3f[] points = [(0, 0, 0)]\nint[] faceVertexIndices = [0]\nint[] faceVertexCounts = [1, 1]",
+            ),
+            "line 6: expected 2 numbers, found 1",
+        ),
+        (
+            prim("Mesh", "point3f[] points = [(0, nan, 0)]"),
+            "line 4: the number must be finite",
+        ),
+    ];
+    for (text, why) in cases {
+        let read = read(&text);
+        assert!(read.document.scene.shown_camera().is_some());
+        let left = Loss::LeftOut(format!("the mesh of it: {why}").as_str().into());
+        assert!(read.report.losses().contains(&left), "{:?}", read.report);
+    }
+    for mesh in [
+        "float3[] extent = [(-inf, -inf, -inf), (inf, inf, inf)]",
+        "float wide = -inf",
+        "color3f[] primvars:displayColor = []",
+        "color3f[] primvars:displayColor = [] (interpolation = \"varying\")",
+        "color3f[] primvars:displayColor = [(1, 0, 0), (0, 1, 0)]",
+        "token visibility = \"inherited\" bool doubleSided = True",
+    ] {
+        let read = read(&prim("Mesh", mesh));
+        assert!(read.document.scene.shown_camera().is_some(), "{mesh}");
+    }
+    let off = prim("Mesh", "point3f[] points = [(0, nan, 0)]")
+        .replace("\"it\"", "\"it\" ( active = False )");
+    assert!(read(&off).report.losses().is_empty());
+}
+
+/// The rate of frames may differ from that of time codes, and a spline is not played by guess.
+#[test]
+fn seconds_and_splines() {
+    let seconds = prim("Camera", "float focalLength.timeSamples = { 0: 10, 2: 20 }").replacen(
+        "#usda 1.0\n",
+        "#usda 1.0\n(\ntimeCodesPerSecond = 1\nframesPerSecond = 30\nstartTimeCode = 0\nendTimeCode = 2\n)\n",
+        1,
+    );
+    let read = read(&seconds).document;
+    assert_eq!((read.info.fps, read.info.first_frame), (30.0, 0));
+    assert_eq!(read.scene.frame_range(), (1.0, 61.0));
+    let spline =
+        "float focalLength.spline = { bezier, 1: 5, 10: 20; pre (2, 0.3); post curve (3, 0.4), }";
+    assert_eq!(
+        refused(prim("Camera", spline).as_bytes()),
+        "a.usda: line 4: the spline of a camera (bake it to time samples) is not read"
+    );
 }
 
 #[test]

@@ -301,8 +301,8 @@ impl<'a> Lexer<'a> {
                 }
                 Token::Sign(b',') if depth > 0 => continue,
                 Token::Word("None") if depth == 0 => return Ok(false),
-                Token::Word("true") => 1.0,
-                Token::Word("false") => 0.0,
+                Token::Word("true" | "True") => 1.0,
+                Token::Word("false" | "False") => 0.0,
                 Token::Word(word) | Token::Number(word) => {
                     word.parse().map_err(|_| before.expected(Wanted::Number))?
                 }

@@ -1,5 +1,7 @@
 //! Lenses and lights of a file.
 
+use std::f64::consts::PI;
+
 use vides_document::error::vec_with_room;
 use vides_engine::limits::MAX_COORDINATE;
 use vides_engine::scene::{Camera, Channel, Kind, Light, Node};
@@ -8,11 +10,14 @@ use super::curve::{Curve, all_times, clamped};
 use super::read::Reader;
 use super::stage::Prim;
 use crate::convention::zoom_of_focal;
-use crate::error::Result;
+use crate::error::{Error, Result};
 
 /// The lens of a file that does not say (UsdGeomCamera).
 const FOCAL: f64 = 50.0;
 const APERTURE: f64 = 15.2908;
+
+/// Of light of 555 nm, as exporters of glTF take it for all light.
+const LUMENS_PER_WATT: f64 = 683.0;
 
 impl<'a> Reader<'_, 'a> {
     pub(super) fn planes(&self, prim: &Prim<'a>) -> Result<Camera> {
@@ -20,11 +25,10 @@ impl<'a> Reader<'_, 'a> {
         let Some([near, far]) = planes.map(|curve| curve.at(f64::NEG_INFINITY)) else {
             return Ok(Camera::default());
         };
-        let sane = 0.0 < near && near < far && far <= MAX_COORDINATE;
-        Ok(if sane {
-            Camera { near, far }
-        } else {
-            Camera::default()
+        let far = far.min(MAX_COORDINATE);
+        Ok(match 0.0 < near && near < far {
+            true => Camera { near, far },
+            false => Camera::default(),
         })
     }
 
@@ -78,13 +82,37 @@ impl<'a> Reader<'_, 'a> {
         };
         let directional = node.kind == Kind::Light(Light::Directional);
         // The schemas' own: a sun in nits.
-        let intensity = number("inputs:intensity", if directional { 50_000.0 } else { 1.0 })?;
+        let (brightest, size, wide) = match directional {
+            true => (50_000.0, "inputs:angle", 0.53),
+            false => (1.0, "inputs:radius", 0.5),
+        };
+        let intensity = number("inputs:intensity", brightest)?;
         let exposure = number("inputs:exposure", 0.0)?;
-        let bright = together([&intensity, &exposure], |[intensity, exposure]| {
-            // Finite, so that nothing times it is nothing.
-            let share = exposure.exp2().min(f64::MAX);
-            [(intensity * share).clamp(0.0, MAX_COORDINATE)]
-        })?;
+        let size = number(size, wide)?;
+        let flag = |name: &str| Ok::<_, Error>(number(name, 0.0)?.first()[0] != 0.0);
+        let normalised = flag("inputs:normalize")?;
+        let metres = stage.metres.unwrap_or(0.01);
+        // Blender counts watts, not nits.
+        let unit = match stage.doc.starts_with("Blender") {
+            true => LUMENS_PER_WATT,
+            false => 1.0,
+        };
+        let bright = together(
+            [&intensity, &exposure, &size],
+            |[intensity, exposure, size]| {
+                // Finite, so that nothing times it is nothing.
+                let share = exposure.exp2().min(f64::MAX);
+                let area = match (directional, normalised || size == 0.0) {
+                    (true, true) => 1.0,
+                    (true, false) => PI * (size.to_radians() / 2.0).sin().powi(2),
+                    (false, true) if normalised => 0.25,
+                    // A point: nothing of a luminance, so what is meant is its intensity.
+                    (false, true) => 1.0,
+                    (false, false) => PI * (size * metres).powi(2),
+                };
+                [(intensity * share * area * unit).clamp(0.0, MAX_COORDINATE)]
+            },
+        )?;
         if let Some(curve) = self.moving(node, Channel::Intensity, Some(bright))? {
             node.rest.intensity = curve.first()[0];
         }

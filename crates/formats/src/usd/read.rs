@@ -9,7 +9,7 @@ use vides_engine::limits::MAX_COORDINATE;
 use vides_engine::path::Up;
 use vides_engine::scene::{Channel, Interpolation, Kind, Light, Node, Object, Scene, Track};
 
-use super::curve::{Curve, clamped, quaternion};
+use super::curve::{Clock, Curve, clamped, quaternion};
 use super::geometry_in::{self, Geometry};
 use super::ops::Room;
 use super::stage::{Prim, Stage};
@@ -37,15 +37,24 @@ const RATE: f64 = 24.0;
 /// What is wrong in it, with the line; the node that is out of range.
 pub(super) fn read(text: &str, options: &Options, report: &mut Report) -> Result<Content> {
     let stage = Stage::parse(text)?;
-    let start = first_frame(&stage)?;
+    let rates = [stage.frames_per_second, stage.codes_per_second];
+    let fps = rate(&rates, options, RATE, report);
+    let codes = stage.codes_per_second.filter(|codes| *codes > 0.0);
+    let per_code = codes.map_or(1.0, |codes| fps / codes);
+    let start = first_frame(&stage, per_code)?;
+    let clock = Clock {
+        rate: per_code,
+        start: start.into(),
+    };
     let mut reader = Reader {
         stage: &stage,
-        start: start.into(),
+        clock,
         room: Room(text.len() + ROOM),
         names: Names::default(),
         nodes: Vec::new(),
         wireframe: Vec::new(),
         told: BTreeMap::new(),
+        left_out: Vec::new(),
         counts: Counts::default(),
         parts: 0,
     };
@@ -54,6 +63,7 @@ pub(super) fn read(text: &str, options: &Options, report: &mut Report) -> Result
         nodes,
         wireframe,
         told,
+        left_out,
         counts,
         ..
     } = reader;
@@ -61,12 +71,15 @@ pub(super) fn read(text: &str, options: &Options, report: &mut Report) -> Result
     for (what, count) in stage.told.iter().chain(&told) {
         report.not_taken(what, *count);
     }
+    for what in &left_out {
+        report.add(Loss::LeftOut(what.as_str().into()));
+    }
     let names: Vec<String> = nodes.iter().map(|node| node.name.clone()).collect();
     let mut scene = Scene::from_nodes(nodes).map_err(|(at, error)| {
         let name = names.get(at).map_or("", String::as_str);
         Error::from(error.at(ScenePlace::Node(name.into())))
     })?;
-    show(&mut scene, &stage, start)?;
+    show(&mut scene, &stage, clock)?;
     let up = match stage.up.as_str() {
         "Z" | "z" => Up::Z,
         _ => Up::Y,
@@ -74,8 +87,6 @@ pub(super) fn read(text: &str, options: &Options, report: &mut Report) -> Result
     let places = wireframe.iter().map(|point| point.position);
     let space = space::around(&scene, places, options.up.unwrap_or(up))?;
     scene.set_space(space)?;
-    let rates = [stage.codes_per_second, stage.frames_per_second];
-    let fps = rate(&rates, options, RATE, report);
     let info = Info {
         title: one_line(&stage.title),
         comment: shortened(&stage.doc),
@@ -92,7 +103,7 @@ pub(super) fn read(text: &str, options: &Options, report: &mut Report) -> Result
 }
 
 /// The camera and the frames that are shown, where they are not those that would be.
-fn show(scene: &mut Scene, stage: &Stage<'_>, start: i32) -> Result<()> {
+fn show(scene: &mut Scene, stage: &Stage<'_>, clock: Clock) -> Result<()> {
     let is_camera = |at: &usize| matches!(scene.nodes()[*at].kind, Kind::Camera(_));
     let camera = scene.find(&stage.camera).filter(is_camera);
     if camera.is_some() && camera != scene.shown_camera() {
@@ -101,15 +112,15 @@ fn show(scene: &mut Scene, stage: &Stage<'_>, start: i32) -> Result<()> {
     let (Some(first), Some(last)) = (stage.start, stage.end) else {
         return Ok(());
     };
-    let range = [first, last].map(|code| code - f64::from(start) + 1.0);
+    let range = [first, last].map(|code| clock.frame(code));
     if range[0] <= range[1] && range != <[f64; 2]>::from(scene.frame_range()) {
         scene.set_range(Some(range.into()))?;
     }
     Ok(())
 }
 
-fn first_frame(stage: &Stage<'_>) -> Result<i32> {
-    let start = stage.start.unwrap_or(1.0).round();
+fn first_frame(stage: &Stage<'_>, per_code: f64) -> Result<i32> {
+    let start = stage.start.map_or(1.0, |code| (code * per_code).round());
     if start.abs() > MAX_COORDINATE {
         return Err(stage.lexer.line(0).wrong(Cause::TooLarge));
     }
@@ -135,13 +146,14 @@ impl Counts {
 
 pub(super) struct Reader<'s, 'a> {
     pub(super) stage: &'s Stage<'a>,
-    /// The time code of frame 1.
-    start: f64,
+    clock: Clock,
     room: Room,
     names: Names,
     nodes: Vec<Node>,
     wireframe: Vec<vides_document::ObjectPoint>,
     pub(super) told: BTreeMap<&'a str, usize>,
+    /// Geometry that cannot be read, and why.
+    left_out: Vec<String>,
     pub(super) counts: Counts,
     /// Prims that became part of the last node.
     parts: usize,
@@ -304,6 +316,15 @@ impl<'a> Reader<'_, 'a> {
     ) -> Result<usize> {
         let kind = self.kind_of(held)?;
         let looks = kind.looks() && !inside;
+        if let Some(at) = prim.spline.or(held.spline) {
+            if matches!(kind, Kind::Camera(_)) {
+                return Err(self.stage.lexer.from(at).wrong(Cause::Unsupported {
+                    name: "the spline of a camera (bake it to time samples)".into(),
+                    help: "",
+                }));
+            }
+            *self.told.entry("spline").or_default() += 1;
+        }
         let name = if prim.display_name.is_empty() {
             prim.name
         } else {
@@ -372,7 +393,7 @@ impl<'a> Reader<'_, 'a> {
             // Yaw, pitch and roll.
             Some(mut curve) if curve.width == 3 => {
                 for time in &mut curve.times {
-                    *time += 1.0 - self.start;
+                    *time = self.clock.frame(*time);
                 }
                 let by = Interpolation::EulerLinear;
                 let Curve { times, values, .. } = curve;
@@ -399,7 +420,7 @@ impl<'a> Reader<'_, 'a> {
     ) -> Result<Option<Curve>> {
         match curve {
             Some(curve) if !curve.rests() => {
-                self.set(node, curve.into_track(channel, self.start))?;
+                self.set(node, curve.into_track(channel, self.clock))?;
                 Ok(None)
             }
             rests => Ok(rests),
@@ -426,8 +447,17 @@ impl<'a> Reader<'_, 'a> {
             Kind::Light(_) => self.light(prim, node),
             Kind::Object(object) => {
                 self.counts.skins += usize::from(prim.skinned);
-                let Geometry { mesh, colour, told } =
-                    geometry_in::read(self.stage, prim, object.mesh())?;
+                let read = geometry_in::read(self.stage, prim, object.mesh());
+                let Geometry { mesh, colour, told } = match read {
+                    Ok(read) => read,
+                    // The rest of the scene comes without it.
+                    Err(error @ Error::Content { .. }) => {
+                        self.left_out
+                            .push(format!("the mesh of {}: {error}", node.name));
+                        return Ok(());
+                    }
+                    Err(other) => return Err(other),
+                };
                 let done = object.set_mesh(mesh);
                 done.map_err(|error| error.at(ScenePlace::Node(node.name.as_str().into())))?;
                 for what in told {

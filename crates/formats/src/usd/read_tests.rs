@@ -256,7 +256,7 @@ fn everything_is_taken_or_told() {
     assert_eq!(camera.parent, None);
     assert_eq!(
         matrix(&document, "Kamera \"1\"", 6.0).translation,
-        DVec3::new(0.0, 5.0, 0.0)
+        DVec3::ZERO,
     );
     let Kind::Camera(planes) = camera.kind else {
         panic!()
@@ -266,7 +266,9 @@ fn everything_is_taken_or_told() {
     assert!((at(6.0).pose.zoom - 75.0).abs() < 1e-12);
     assert_eq!((at(2.9).visible, at(3.0).visible), (1, 0));
     let lamp = states(&document, 1.0)[2].1;
-    assert_eq!((lamp.intensity, lamp.cone), (12.0, [30.0, 40.0]));
+    // Luminance times the area seen of a sphere of 5 mm: 12 π 0.005².
+    assert!((lamp.intensity - 9.424_777_960_769_38e-4).abs() < 1e-15);
+    assert_eq!(lamp.cone, [30.0, 40.0]);
     assert_eq!(matrix(&document, "mesh", 1.0).translation, DVec3::Z * 100.0);
     let object = |at: usize| match &document.scene.nodes()[at].kind {
         Kind::Object(object) => object,

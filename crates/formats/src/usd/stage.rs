@@ -34,6 +34,8 @@ pub(super) struct Prim<'a> {
     pub(super) out: bool,
     pub(super) attributes: Vec<Attribute<'a>>,
     pub(super) skinned: bool,
+    /// Where a spline moves it.
+    pub(super) spline: Option<usize>,
 }
 
 /// All of a file.
@@ -92,6 +94,10 @@ const TAKEN: &[&str] = &[
     "inputs:color",
     "inputs:intensity",
     "inputs:exposure",
+    "inputs:normalize",
+    "inputs:radius",
+    "inputs:angle",
+    "treatAsPoint",
     "inputs:shaping:cone:angle",
     "inputs:shaping:cone:softness",
 ];
@@ -365,7 +371,8 @@ impl<'a> Stage<'a> {
                     interpolation,
                 });
             }
-            ("connect" | "spline", Some(_)) => self.tell(field),
+            ("spline", Some(at)) => self.prims[prim].spline = Some(at),
+            ("connect", Some(_)) => self.tell(field),
             _ => {}
         }
         Ok(())

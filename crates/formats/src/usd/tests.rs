@@ -222,7 +222,7 @@ fn options_turn_scale_and_choose_frames() {
         "(100.0, -300.0, 200.0)",
         "float horizontalAperture = 0.48",
         "float verticalAperture = 0.24",
-        "float2 clippingRange = (1.0, 100000.0)",
+        "float2 clippingRange = (1.65, 165000.0)",
         "metersPerUnit = 1.0",
     ] {
         assert!(text.contains(line), "{line}\n{text}");
@@ -335,4 +335,27 @@ fn the_object_of_a_path_keeps_its_colours() {
         [[255, 0, 0], [0, 255, 0], [0, 0, 255], [9, 90, 200]]
     );
     assert_eq!(colours("object_basiscurves"), [[0, 0, 255], [9, 90, 200]]);
+}
+
+/// Candela and lux, in the words of USD; Blender counts the same lamp of 1000 W in both formats.
+#[test]
+fn a_lamp_keeps_its_intensity() {
+    for (kind, intensity) in [("point", 683.0), ("spot", 12.5), ("directional", 3.0)] {
+        let text = format!(
+            "version = 1\n[[node]]\nname = \"lamp\"\nkind = \"light\"\nlight = \"{kind}\"\nintensity = {intensity:?}\n"
+        );
+        let again = read(&written(&document(&text)));
+        let lamp = &again.document.scene.nodes()[0];
+        assert_eq!(lamp.rest.intensity, intensity, "{kind}");
+    }
+    let watts =
+        "float inputs:intensity = 318.309886\nbool inputs:normalize = 1\nfloat inputs:radius = 0.1";
+    let blender = prim("SphereLight", watts).replacen(
+        "#usda 1.0\n",
+        "#usda 1.0\n(\ndoc = \"Blender v4.2.1 LTS\"\nmetersPerUnit = 1\n)\n",
+        1,
+    );
+    let lamp = read(&blender).document.scene.nodes()[0].rest.intensity;
+    // 1000 W / 4π sr at 683 lm/W, as its glTF has it.
+    assert!((lamp - 54_351.413).abs() < 1e-2, "{lamp}");
 }

@@ -291,8 +291,7 @@ impl<'d> Writer<'_, '_, 'd> {
         let [width, height] = self.flight.size();
         // A tenth of a unit for a millimetre of our film.
         let tenth = 1.0 / (100.0 * self.metres());
-        let scale = self.flight.options().scale;
-        let [near, far] = [camera.near, camera.far].map(|plane| single(plane * scale));
+        let [near, far] = self.flight.planes(camera)?.map(single);
         put!(self, depth, "float2 clippingRange = ({near:?}, {far:?})")?;
         let wide = single(FILM_HEIGHT * tenth * width / height);
         put!(self, depth, "float horizontalAperture = {wide:?}")?;
@@ -307,12 +306,21 @@ impl<'d> Writer<'_, '_, 'd> {
         let colour = Channel::Colour;
         self.attribute(at, depth, "color3f inputs:color", &colour, &text::colour)?;
         let intensity = Channel::Intensity;
+        // A normalised sphere shines to all sides; a candela is what it gives to one.
+        let per_candela = match light {
+            Light::Directional => 1.0,
+            Light::Point | Light::Spot => 4.0,
+        };
         self.attribute(at, depth, "float inputs:intensity", &intensity, &|v| {
-            format!("{:?}", single(v[0]))
+            format!("{:?}", single(per_candela * v[0]))
         })?;
-        if light != Light::Directional {
-            put!(self, depth, "float inputs:radius = 0.0")?;
-            put!(self, depth, "bool treatAsPoint = 1")?;
+        put!(self, depth, "bool inputs:normalize = 1")?;
+        match light {
+            Light::Directional => put!(self, depth, "float inputs:angle = 0.0")?,
+            _ => {
+                put!(self, depth, "float inputs:radius = 0.0")?;
+                put!(self, depth, "bool treatAsPoint = 1")?;
+            }
         }
         if light == Light::Spot {
             let angle = "float inputs:shaping:cone:angle";

@@ -29,7 +29,7 @@ impl Shape {
     }
 
     /// Ten speeds of this shape, as slow as can be where it is slow and where the camera stands
-    /// still beside it. An end beyond which the camera goes on joins that speed. The fast end does
+    /// still next to it. An end beyond which the camera goes on joins that speed. The fast end does
     /// so as a whole, unless the section `lasts` as long as before; else the mean is this, as far
     /// as 1…100 allows.
     pub(crate) fn speeds(self, ends: [End; 2], mean: f64, lasts: bool) -> [f64; SPEEDS] {

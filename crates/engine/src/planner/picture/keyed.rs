@@ -21,7 +21,7 @@ const ROUNDS: usize = 60;
 /// An excess between keys up to which these take less of the room instead of a point being added.
 const NEAR: f64 = 1.04;
 
-/// Where keys have given way so far and it is still too much, it is not theirs.
+/// If both keys take less of the room than this and the object is still too large, a point is added.
 const GIVEN: f64 = 0.97;
 
 /// Frames between two keys at least.
@@ -409,7 +409,7 @@ impl Work<'_> {
     }
 }
 
-/// The angles by which a view must turn to the right and up, so that what reaches so far is within
+/// The angles by which a view must turn to the right and up to bring what has this `reach` within the
 /// half angles of the picture; none where it is too large.
 fn missing(reach: [f64; 4], halves: [f64; 2]) -> Option<[f64; 2]> {
     let angles = reach.map(f64::atan);

@@ -1,8 +1,8 @@
 //! Where a motion is no smooth one: a path of few points has a jump of its acceleration at each of
 //! them, and often a small one of its speed.
 //!
-//! At such a place the fourth difference of the poses is as large as the jump, beside it h²–h⁴ times
-//! smaller: so it is seen though it is far below the tolerance. In noise it is nowhere outstanding.
+//! At such a place the fourth difference of the poses is as large as the jump, and next to it h²–h⁴
+//! times smaller, so even a jump far below the tolerance is found. In noise none stands out.
 
 use glam::DVec3;
 
@@ -23,7 +23,7 @@ const SUM: f64 = 0.25;
 /// and how great all are mostly: in more noise a corner would lead through a pose that is off.
 const QUIET: f64 = 0.3;
 
-/// So many differences on either side tell what is usual.
+/// Differences on either side whose median is the usual one.
 const AROUND: usize = 12;
 
 /// Positions, turning and zoom, in tolerances; and where each begins and ends.
@@ -31,8 +31,18 @@ type Row = [f64; 7];
 const KINDS: [[usize; 2]; 3] = [[0, 3], [3, 6], [6, 7]];
 
 impl Data {
-    /// The poses, counted from the first, at which a motion has a corner; in order.
+    /// The poses, counted from the first, at which a motion has a corner, as at both sides of a cut;
+    /// in order.
     pub(super) fn corners(&self) -> Result<Vec<usize>> {
+        let mut found = self.outstanding()?;
+        found.try_reserve(2 * self.cuts.len())?;
+        found.extend(self.cuts.iter().flat_map(|cut| [*cut, cut + 1]));
+        found.sort_unstable();
+        found.dedup();
+        Ok(found)
+    }
+
+    fn outstanding(&self) -> Result<Vec<usize>> {
         let count = self.raw.len();
         let mut found = Vec::new();
         if count < 2 * AROUND {
@@ -88,7 +98,7 @@ impl Data {
 }
 
 /// Whether those of a kind at a place, the one before and the one behind are greater than elsewhere;
-/// NaN, where there are none, is not. `usual` is room for those around.
+/// NaN, where a difference does not exist, does not count. `usual` is a buffer.
 fn stands_out(rows: &[Row], kind: [usize; 2], at: usize, usual: &mut Vec<f64>) -> bool {
     let part = |k: usize| &rows[k][kind[0]..kind[1]];
     let square = |k: usize| part(k).iter().map(|x| x * x).sum::<f64>();

@@ -12,14 +12,14 @@ use crate::error::{Result, vec_with_room};
 use crate::math::quaternion::{angle, exp, log};
 use crate::path::quaternion_spline::bezier;
 
-/// Step of the differences that tell how the turning bends along the way.
+/// Step of the differences that give the change of the turning along the curve.
 const STEP: f64 = 1e-4;
 
 /// Sweeps over all joins, there and back; each leaves a quarter of what is to do.
 const SWEEPS: usize = 12;
 
 /// Where the pace changes by more than this share in a frame, a cubic of the way cannot turn evenly:
-/// its neighbours shall not turn with it.
+/// such joins are skipped, so that their neighbours do not follow them.
 const STEEP: f64 = 0.5;
 
 /// Rounds in which joins are left as they were, since poses were missed.

@@ -4,9 +4,10 @@ use glam::DVec3;
 
 use super::report::{Deviation, Measured, Report};
 use super::{Data, view_angle};
-use crate::error::Result;
+use crate::error::{Result, vec_with_room};
 use crate::math::quaternion::{angle, continue_sign};
 use crate::path::{CameraPath, Sampler, Timeline};
+use crate::tools::smooth::noise;
 
 impl Data {
     /// At the poses' own times.
@@ -16,7 +17,10 @@ impl Data {
         let mut sums = [Deviation::default(); 3];
         let mut count = 0;
         let all = self.raw.iter().zip(&self.times).take(self.poses());
-        for ((sample, time), _) in all.zip(&self.left_out).filter(|(_, out)| !**out) {
+        for (k, (sample, time)) in all.enumerate() {
+            if self.left_out[k] || self.in_a_cut(k) {
+                continue;
+            }
             let pose = sampler.pose((1.0 + time).clamp(1.0, last))?;
             let turn = self.turn(pose.vpn.into(), pose.vup.into());
             let turned = 2.0 * angle(sample.turn, continue_sign(sample.turn, turn).0);
@@ -39,6 +43,14 @@ impl Data {
         })
     }
 
+    /// Of the positions.
+    fn noise(&self) -> Result<f64> {
+        let mut places = vec_with_room(self.poses())?;
+        let all = self.raw.iter().take(self.poses());
+        places.extend(all.map(|sample| sample.position.to_array()));
+        noise(&places)
+    }
+
     pub(super) fn report(
         &self,
         path: &CameraPath,
@@ -57,9 +69,13 @@ impl Data {
             lens: measured.lens,
             fps: self.fps,
             holds: holds.count(),
+            gaps: self.gaps,
+            cuts: self.cuts.len(),
             outliers: self.outliers().count(),
             dropped: poses - self.poses(),
             unit: self.unit,
+            noise: self.noise()?,
+            better: None,
         })
     }
 }

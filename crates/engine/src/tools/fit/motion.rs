@@ -14,19 +14,19 @@ use crate::tools::smooth::{Spline, noise};
 /// for the pieces.
 const SHARES: [f64; 2] = [0.3, 0.95];
 
-/// So many standard deviations of the noise the splines may miss.
+/// Standard deviations of the noise by which the splines may miss a pose.
 const DEVIATIONS: f64 = 3.5;
 
 /// What moves by less than this share of the tolerance rests,
 const STILL: f64 = 1e-4;
 
-/// if it does for so many frames,
+/// if it does for at least this many frames,
 const REST: f64 = 12.0;
 
-/// or if it does not move at all for so many.
+/// or for this many without any motion.
 const PAUSE: f64 = 4.0;
 
-/// What is equal but for rounding, in tolerances.
+/// Poses that differ by at most this, in tolerances, are equal.
 const EQUAL: f64 = 1e-9;
 
 /// A motion is even whose acceleration would take more than 20 seconds to double its speed (per
@@ -36,16 +36,16 @@ const EVEN: f64 = 0.05;
 /// so instead a share of what doubles it in a tenth of a second does.
 const UNSEEN: f64 = 10.0;
 
-/// So many poses beyond its ends a stretch looks at.
+/// Poses beyond its ends that the splines of a stretch include.
 const LEAD: usize = 12;
 
-/// One of the last so many poses is right.
+/// One of this many poses before another has the right sign.
 const BEFORE: usize = 6;
 
 /// Rounds in which poses are left out and taken in again.
 const AGAIN: usize = 8;
 
-/// No more than one pose of so many is left out.
+/// At most one of this many poses is left out.
 const MOST: usize = 4;
 
 /// What the camera does in a stretch.
@@ -92,7 +92,7 @@ pub(super) struct Stretch {
     pub last: usize,
     /// The whole frames at its ends.
     pub frames: [f64; 2],
-    /// So many poses before the first are among those of the splines.
+    /// Number of poses before the first that the splines include.
     lead: usize,
     place: Spline<3>,
     turn: Spline<4>,
@@ -228,8 +228,15 @@ impl Data {
         })
     }
 
+    /// Whether a part is a cut: neither side says anything of the other.
+    fn is_cut(&self, part: &Part) -> bool {
+        let (first, last) = (part.range.start(), part.range.end());
+        *last == first + 1 && self.cuts.binary_search(first).is_ok()
+    }
+
     /// Where parts meet between frames, the one that moves less has no more than its whole frames.
     fn set_frames(&self, parts: &mut [Part]) {
+        let last = self.times[self.times.len() - 1];
         let mut begin = 0.0;
         for k in 0..parts.len() {
             let time = self.times[*parts[k].range.end()];
@@ -237,6 +244,9 @@ impl Data {
                 .get(k + 1)
                 .is_some_and(|next| next.kind > parts[k].kind);
             let end = if still { time.ceil() } else { time.floor() };
+            // A cut takes a frame, whatever is left for what follows.
+            let least = begin + f64::from(u8::from(self.is_cut(&parts[k])));
+            let end = end.max(least).min(last);
             parts[k].frames = [begin, end];
             begin = end;
         }
@@ -296,8 +306,12 @@ impl Data {
         let (first, last) = (*range.start(), *parts[numbers[1]].range.end());
         let beside = [numbers[0].checked_sub(1), Some(numbers[1] + 1)];
         let beside = beside.map(|number| parts.get(number?));
+        let cut = self.is_cut(&parts[numbers[0]]);
         let corner = beside.map(|beside| {
-            *kind == Kind::Moves && beside.is_some_and(|part| part.kind == Kind::Moves)
+            beside.is_some_and(|part| {
+                let moves = *kind == Kind::Moves && part.kind == Kind::Moves;
+                moves || cut || self.is_cut(part)
+            })
         });
         let leads = [0, 1].map(|side| beside[side].is_some() && !corner[side]);
         let begin = first.saturating_sub(if leads[0] { LEAD } else { 0 });

@@ -7,7 +7,7 @@ use crate::path::hermite::Cubic;
 use crate::path::timing::Timing;
 use crate::path::{Orientation, Pace, own};
 
-/// Into so many parts their way may be divided for a pace: with a close pair of keys between each
+/// Numbers of parts into which the way is divided for a pace: with a close pair of keys between each
 /// two, which gives way and speed there, no more keys than a pace may have.
 const PARTS: [usize; 6] = [1, 2, 3, 5, 10, 15];
 

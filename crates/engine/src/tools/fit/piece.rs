@@ -15,10 +15,10 @@ use crate::path::quaternion_spline::bezier;
 use crate::path::timing::Timing;
 use crate::path::{Pace, own};
 
-/// Moments of a piece at which the splines are looked at, at even distances: so many and one.
+/// Equal intervals of a piece between the moments at which its splines are evaluated.
 pub(super) const MOMENTS: usize = 30;
 
-/// Where the pace is slower than so much of its mean, turning and zoom are not led by their rates.
+/// Where the pace is slower than this share of its mean, turning and zoom ignore their rates.
 const SLOW: f64 = 1e-3;
 
 /// By how much accelerations may jump from piece to piece, of the position and of the turning before
@@ -38,7 +38,7 @@ const NOTHING: f64 = 1e-2;
 /// Moments from an end of a stretch at which its splines do not know the acceleration yet.
 const OPEN: usize = 8;
 
-/// By so much a turning may seem to be faster at its ends than a key may own.
+/// Factor by which a turning may exceed the velocity that a key may own, before it is clamped.
 const LIMITED: f64 = 1.05;
 
 /// Rounds of a cubic by least squares; most settle sooner.

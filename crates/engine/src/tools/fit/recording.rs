@@ -11,7 +11,7 @@ use crate::math::quaternion::continue_sign;
 use crate::path::camera_path::{check_coordinates, check_zoom};
 use crate::path::{Pose, Space, Up};
 
-/// Times that differ by less than so many frames are equal.
+/// Times that differ by less than this, in frames, are equal.
 const EQUAL_FRAMES: f64 = 1e-4;
 
 impl Data {
@@ -67,6 +67,8 @@ impl Data {
             numbers,
             unit,
             left_out,
+            cuts: Vec::new(),
+            gaps: 0,
             tolerance: tolerance.position,
             angle: tolerance.angle.to_radians(),
             fps,
@@ -76,7 +78,7 @@ impl Data {
         Ok(data)
     }
 
-    /// Poses of the recording that have a time of their own.
+    /// Poses of the recording at distinct times.
     pub(super) const fn poses(&self) -> usize {
         self.numbers.len()
     }

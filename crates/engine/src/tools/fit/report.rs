@@ -1,5 +1,7 @@
 //! How well a path follows the poses that it was made of.
 
+use std::fmt;
+
 use super::time_unit::TimeUnit;
 
 /// How far poses are missed.
@@ -29,12 +31,62 @@ pub struct Report {
     pub fps: f64,
     /// Points at which the camera rests.
     pub holds: usize,
+    /// Times between poses that are more than five times as long as usual.
+    pub gaps: usize,
+    /// Poses at which the camera is suddenly elsewhere; poses within the frame in which the path
+    /// crosses a cut do not count.
+    pub cuts: usize,
     /// Poses that a robust fit left out.
     pub outliers: usize,
     /// Poses at the time of the one before, which were dropped.
     pub dropped: usize,
     /// What the times count, if they were too great for seconds.
     pub unit: Option<TimeUnit>,
+    /// Standard deviation of the noise of a coordinate of the positions, estimated from their third
+    /// differences.
+    pub noise: f64,
+    /// A larger tolerance that needs at most half as many points, and how many, where more than a
+    /// third of the poses became points.
+    pub better: Option<(f64, usize)>,
+}
+
+impl fmt::Display for Report {
+    /// A line for the path, one for what was found in the recording if anything was, one for what
+    /// helps if there are too many points.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { points, poses, .. } = self;
+        let [place, view, lens] = [self.position, self.view, self.lens];
+        write!(
+            f,
+            "{points} points for {poses} poses at {} frames per second; greatest and RMS deviation: \
+             position {:.3e} and {:.3e}, view {:.3}° and {:.3}°, field of view {:.3}° and {:.3}°",
+            self.fps, place.greatest, place.rms, view.greatest, view.rms, lens.greatest, lens.rms,
+        )?;
+        let found = [
+            (self.holds, "hold"),
+            (self.gaps, "gap"),
+            (self.cuts, "cut"),
+            (self.outliers, "outlier"),
+            (self.dropped, "repeated time"),
+        ];
+        let mut between = "\nfound: ";
+        for (count, what) in found.into_iter().filter(|found| found.0 > 0) {
+            let several = if count == 1 { "" } else { "s" };
+            write!(f, "{between}{count} {what}{several}")?;
+            between = ", ";
+        }
+        if let Some(unit) = self.unit {
+            write!(f, "{between}times in {}", unit.name())?;
+        }
+        if let Some((tolerance, points)) = self.better {
+            write!(
+                f,
+                "\nnoise of about {:.1e}: a tolerance of {tolerance:.1e} gives {points} points",
+                self.noise
+            )?;
+        }
+        Ok(())
+    }
 }
 
 /// By how much a path misses the poses.

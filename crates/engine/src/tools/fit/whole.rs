@@ -17,7 +17,7 @@ const ROUNDS: usize = 20;
 /// What it may miss, in tolerances, for no more rounds.
 const NEAR: f64 = 0.02;
 
-/// So many poses at most say where it is.
+/// At most about this many poses determine its position.
 const POSES: usize = 240;
 
 /// Lengths of tangents that are tried, in ways.

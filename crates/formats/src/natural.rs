@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 
 /// Compares two names; equal only if they are the same.
-pub(super) fn compare(a: &str, b: &str) -> Ordering {
+pub(crate) fn compare(a: &str, b: &str) -> Ordering {
     let (mut x, mut y) = (a.as_bytes(), b.as_bytes());
     while let (Some(&first), Some(&second)) = (x.first(), y.first()) {
         let order = if first.is_ascii_digit() && second.is_ascii_digit() {
