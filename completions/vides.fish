@@ -76,8 +76,9 @@ frames\t''"
 complete -c vides -n "__fish_vides_using_subcommand set" -s o -l output -d 'The output file; - is standard output [default: FILE.vid]' -r -F
 complete -c vides -n "__fish_vides_using_subcommand set" -l trust -d 'Also reads meshes and buffers that an input file names outside its folder'
 complete -c vides -n "__fish_vides_using_subcommand set" -s h -l help -d 'Print help'
-complete -c vides -n "__fish_vides_using_subcommand fit" -l tolerance -d 'Maximum distance of a position from its pose' -r
-complete -c vides -n "__fish_vides_using_subcommand fit" -l angle -d 'Maximum deviation of view, up and field of view, in degrees' -r
+complete -c vides -n "__fish_vides_using_subcommand fit" -l tolerance -d 'Maximum distance of a position from its pose [default: 1/1000 of the diagonal of the bounds of the positions]' -r
+complete -c vides -n "__fish_vides_using_subcommand fit" -l angle -d 'Maximum deviation of view, up and field of view, in degrees [default: 0.5]' -r
+complete -c vides -n "__fish_vides_using_subcommand fit" -l points -d 'At most so many points, with the least tolerance that leads to them, in the ratio of --tolerance to --angle' -r
 complete -c vides -n "__fish_vides_using_subcommand fit" -l fps -d 'Frames per second [default: the file\'s, else its poses per second, else 25]' -r
 complete -c vides -n "__fish_vides_using_subcommand fit" -l object -d 'The object to show with the path: a mesh (.obj, .ply, .stl, .gltf, .glb), or the object of a .vid file' -r -F
 complete -c vides -n "__fish_vides_using_subcommand fit" -l up -d 'The up axis' -r -f -a "y\t''
@@ -330,7 +331,8 @@ complete -c vides -n "__fish_vides_using_subcommand convert" -l node -d 'The nod
 complete -c vides -n "__fish_vides_using_subcommand convert" -l clip -d 'The animation of a glTF file that is read [default: all that move different things]' -r
 complete -c vides -n "__fish_vides_using_subcommand convert" -l frames -d 'The frames that are written, first and last, as people count them [default: all]' -r
 complete -c vides -n "__fish_vides_using_subcommand convert" -l fps -d 'Frames per second of what is written, in the same time; of a file that has none when it is read' -r
-complete -c vides -n "__fish_vides_using_subcommand convert" -l start -d 'The time of the first pose in files of the formats tum and osg [default: 0]' -r
+complete -c vides -n "__fish_vides_using_subcommand convert" -l times -d 'frames: a pose for each frame; own: at the keys of the camera, for tum, euroc, osg, kitti and matrices [default: own where a list becomes a list, without --fps and --frames]' -r
+complete -c vides -n "__fish_vides_using_subcommand convert" -l start -d 'The time of the first pose in files of the formats tum, euroc and osg [default: that of a list that becomes a list, else 0]' -r
 complete -c vides -n "__fish_vides_using_subcommand convert" -l size -d 'Width and height of the picture in pixels [default: 1920x1080]' -r
 complete -c vides -n "__fish_vides_using_subcommand convert" -l up -d 'The axis that stands upright in the file [default: as the format says]' -r
 complete -c vides -n "__fish_vides_using_subcommand convert" -l scale -d 'Lengths in the file for one of the path\'s [default: 1]' -r

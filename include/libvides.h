@@ -15,29 +15,48 @@
  *
  * Conventions
  *
- * - Status. Functions that return int return V_OK (0) or one of V_ERR_...;
- *   v_last_error() returns the reason. Each comment lists the statuses of its
- *   function; any function may return V_ERR_INTERNAL.
+ * - Status. Functions that return int, except v_fd(), v_timeout() and v_dispatch(),
+ *   return V_OK (0) or one of V_ERR_...; v_last_error() returns the reason. Any may
+ *   return V_ERR_INTERNAL, with a pointer V_ERR_NULL, with a handle V_ERR_HANDLE, with
+ *   a V_SCENE also V_ERR_BUSY, with a V_EDITOR also V_ERR_CLOSED. Each comment lists
+ *   the others. A void function reports an error by v_last_error() only.
  * - Results are written through pointers, and only on success.
- * - NULL. A pointer must not be NULL unless the comment allows it; otherwise the
- *   call returns V_ERR_NULL.
- * - Ownership. The library copies what it is given. It keeps only the pointers
- *   given to v_haupt(), and the callbacks and user pointers of v_editor_open(),
- *   v_register_interpolation() and v_set_progress(). You free the paths and scenes that you create and
- *   the editors that you open, and the lists of the 1994 interface; nothing else.
+ * - NULL fails with V_ERR_NULL, unless the comment allows it. Where a function gets
+ *   several values, each result may be NULL.
+ * - Texts are UTF-8, zero-terminated; a file is a name as for open().
+ * - Arrays. A function that fills in your array or text of capacity elements or bytes
+ *   also writes how many there are (of a text without its zero). If they do not fit,
+ *   it writes only that number and fails with V_ERR_SIZE; with NULL and capacity 0 it
+ *   writes only that number, which must not be NULL.
+ * - Structs that begin with size may grow at their end in later versions. Set size to
+ *   sizeof the struct before any call, even if the library fills in the rest. Programs
+ *   compiled with an earlier 1.x may have a shorter struct; any other size fails with
+ *   V_ERR_SIZE. v_..._init() sets it, and the defaults. Where there is also
+ *   v_..._init_sized(), the first is a macro in C that passes the struct's size; the
+ *   function, for other languages (ctypes, JNI, bindgen), fills in the struct of
+ *   version 1.0.
+ * - Ownership. The library copies what it is given. It keeps only the pointers given
+ *   to v_haupt(), and the callbacks and user pointers of v_editor_open(),
+ *   v_register_interpolation() and v_set_progress(). You free the paths, scenes and
+ *   editors that you get, with v_path_free(), v_scene_free() and v_editor_close(), and
+ *   the lists of the 1994 interface. Texts and arrays that it returns belong to it.
+ * - Memory. If it runs out while a text is parsed, or a file is opened or written, the
+ *   program may end instead of V_ERR_MEMORY; the old file is unchanged.
  * - Callbacks may call any function, except where its comment says otherwise.
- * - Threads. A window belongs to the thread that opened it. Every other function
- *   may be called from any thread; calls on the same path or scene are atomic.
- *   The library does its work on your thread. It starts one thread to resolve the
- *   name of a remote display, and one, in a program with Xt, to find out whether
- *   windows are served. Both block all signals, call none of your functions, and
- *   end without your help. A call uses at most 128 KiB of your thread's stack.
+ * - Threads. A window belongs to the thread that opened it. Every other function may
+ *   be called from any thread; calls on the same path or scene are atomic. The library
+ *   works on your thread. It starts one to resolve the name of a remote display, and
+ *   one, in a program with Xt, to find out whether windows are served; both block all
+ *   signals, call none of your functions, and end without your help. A call uses at
+ *   most 128 KiB of your thread's stack.
  * - X server. If it is missing or goes away, its windows close, v_last_error()
  *   returns the reason, and your program continues.
- * - Counting. Points, orientations, segments, sections and presets count from 0,
- *   poses and frames from 1.
- * - Units. Angles are degrees. Coordinates are right-handed, y up unless the path's
- *   space says z up.
+ * - Counting. Points, orientations, segments, sections, presets, nodes, tracks,
+ *   markers, pins, shapes and deformations count from 0, poses and frames from 1. A
+ *   frame of a path given as a double is from 1 to v_path_frame_count(), also between
+ *   two whole frames.
+ * - Units. Lengths are in your world's units, angles in degrees. Coordinates are
+ *   right-handed, y up unless the path's space says z up.
  */
 
 #ifndef LIBVIDES_H
@@ -59,30 +78,26 @@
 /* ---- Statuses ---------------------------------------------------------------- */
 
 /**
- * Every function that returns a status returns one of these. v_strerror() describes a
- * status; v_last_error() returns what was wrong in the call itself.
+ * v_strerror() describes a status; v_last_error() returns what was wrong in the call.
  *
  * V_OK            done
  * V_ERR_NULL      a pointer that must not be NULL is NULL
- * V_ERR_HANDLE    the handle is not valid: freed, of another kind, or never made; or
- *                 it is a window of another thread
- * V_ERR_ARGUMENT  a value is not valid: not a finite number, a target on the camera
- *                 itself, an up vector along the view, a pointer that is not
- *                 aligned for its type
+ * V_ERR_HANDLE    not a valid handle: freed, of another kind, never made, or a window of
+ *                 another thread
+ * V_ERR_ARGUMENT  a value is not valid: not finite, a target on the camera, an up vector
+ *                 along the view, a text that is not UTF-8, a misaligned pointer
  * V_ERR_RANGE     an index or a value is out of range, or NaN where a range applies
  * V_ERR_SIZE      an array is too small, or the size of a struct is not set
- * V_ERR_LIMIT     more points, orientations or poses than the library allows
+ * V_ERR_LIMIT     more points, orientations, poses or bytes than the library allows
  * V_ERR_MEMORY    out of memory; nothing was changed
  * V_ERR_IO        the operating system refused to read or write a file
- * V_ERR_FORMAT    the contents of a file are not valid
+ * V_ERR_FORMAT    the contents of a file are not valid; v_last_error() names the place
  * V_ERR_DISPLAY   no window can be opened, or its X server went away
- * V_ERR_BUSY      not possible at this moment, for example within this callback
- * V_ERR_CLOSED    the window is gone: its user closed it, it was destroyed from
- *                 outside, its X server went away, or the thread that opened it
- *                 ended; v_last_error() returns the reason
- * V_ERR_INTERNAL  a fault of the library; the path concerned may be unusable from
- *                 now on, everything else works
- * V_ERR_REFUSED   the user, or a callback of v_set_progress(), refused
+ * V_ERR_BUSY      not possible now, for example within this callback
+ * V_ERR_CLOSED    the window is gone (V_GONE_...), or its thread has ended
+ * V_ERR_INTERNAL  a fault of the library; the path or scene concerned may be unusable
+ *                 from now on, everything else works
+ * V_ERR_REFUSED   the user or a callback refused
  */
 #define V_OK 0
 #define V_ERR_NULL 1
@@ -110,8 +125,7 @@
  * V_VIEW_EDITED    something is being dragged or was changed
  * V_VIEW_SCRUBBED  another frame was chosen
  * V_VIEW_PLAYED    the window is playing
- * V_VIEW_RESTED    nothing moves any more; ends each series of the others and is the
- *                  time to draw in full quality
+ * V_VIEW_RESTED    nothing moves any more; ends each series: draw in full quality
  */
 #define V_VIEW_SELECTED 0
 #define V_VIEW_EDITED 1
@@ -208,7 +222,7 @@
  * V_AFTER_PINGPONG  goes back and forth
  * V_AFTER_OFFSET    starts over from where it ended
  *
- * A path continues in the same way before its start. A track holds its first value
+ * Before its start a path continues in the same way. A track holds its first value
  * there, unless you add one of V_BEFORE_...: V_AFTER_REPEAT | V_BEFORE_PINGPONG.
  */
 #define V_AFTER_HOLD 0
@@ -219,15 +233,13 @@
 #define V_BEFORE_PINGPONG 32
 #define V_BEFORE_OFFSET 48
 
-/**
- * What a node keeps when its parent changes, see v_scene_set_parent().
- */
+/** What a node keeps when its parent changes. */
 #define V_KEEP_PLACE 0
 #define V_KEEP_NUMBERS 1
 
 /**
- * By what v_path_keep_in_picture() keeps an object in the picture: the zoom, moving the
- * camera along its view, turning the camera.
+ * How v_path_keep_in_picture() keeps an object in the picture: by the zoom, by moving
+ * the camera along its view, by turning it.
  */
 #define V_PICTURE_ZOOM 0
 #define V_PICTURE_DISTANCE 1
@@ -257,8 +269,8 @@
  * V_CLIP_OPENGL    y up, depth from -1 (near) to 1 (far)
  * V_CLIP_D3D       y up, depth from 0 to 1: Direct3D, Metal, WebGPU
  * V_CLIP_VULKAN    y down, depth from 0 to 1
- * V_CLIP_REVERSED  added to one of these: swaps near and far, which keeps a float
- *                  depth precise far away (with depth from 0)
+ * V_CLIP_REVERSED  added to one of these: swaps near and far, so that a float depth from
+ *                  0 is precise far away
  */
 #define V_CLIP_OPENGL 0
 #define V_CLIP_D3D 1
@@ -283,8 +295,7 @@
 /* ---- The types of the interface of 1994 -------------------------------------- */
 
 /**
- * A point or a vector in the space, the cube from -1 to 1 in x, y and z: right-handed,
- * y up.
+ * A point or a vector in the cube from -1 to 1 in x, y and z, y up.
  */
 struct v_punkt {
     float x;
@@ -294,30 +305,29 @@ struct v_punkt {
 
 typedef struct v_punkt V_PUNKT;
 
-/** The same type by the name that the other structs use. */
+/** The same type by the name that other structs use. */
 typedef V_PUNKT V_POS;
 
 /**
- * A camera pose in a list, and the whole list by its first element.
+ * A camera pose in a list, and the whole list by its first element. The list is
+ * circular: first->prev is the last element, whose number is the count, and whose next
+ * is the first. A list of one element points to itself.
  *
  * The first element is yours and must outlive the list. Before the first hand-over set
- * its number to -1: there is no data yet, and prev and next have no meaning. VIDES
- * allocates each other element with malloc(), so that you may free() it;
- * v_free_liste() does that too. The next list reuses the elements.
- *
- * The list is circular: first->prev is the last element, whose number is the count,
- * and the last element's next is the first. A list of one element points to itself.
+ * its number to -1: no data yet; prev and next have no meaning. VIDES allocates the
+ * others with malloc(), so that you or v_free_liste() may free() them. The next list
+ * reuses them.
  */
 struct interpolparameter {
     /** position of the camera (view reference point) */
     V_POS VRP;
-    /** view direction, along which the camera looks; length 1 */
+    /** view direction; length 1 */
     V_POS VPN;
     /** up; length 1, perpendicular to VPN */
     V_POS VUP;
     /**
-     * 1 to 100, rounded; 100 for any larger zoom. The vertical field of view is 2 atan
-     * (12 / zoom)
+     * 1 to 100, rounded, 100 for any larger. Vertical field of view: 2 atan (12 /
+     * zoom)
      */
     int zoom;
     struct interpolparameter *prev;
@@ -346,23 +356,16 @@ typedef V_OBJEKT_LISTE V_OBJEKT_LIST;
 /* ---- The types of the new interface ------------------------------------------ */
 
 /**
- * A handle for a camera path. It is not an address: using a handle that was freed, or
- * never made, or freeing it twice, is harmless and fails with V_ERR_HANDLE. Free it
- * with v_path_free().
+ * A handle for a camera path, not an address: using one that was freed or never made,
+ * or freeing it twice, is harmless and fails with V_ERR_HANDLE.
  */
 typedef struct v_path V_PATH;
 
 /**
- * An orientation: how the camera looks at a point of the path, and how it moves on
- * from there. The window calls it a view.
- *
- * A struct that begins with size may grow at its end in later versions. Set size to
- * sizeof the struct before any call, even if the library fills in the rest;
- * v_orientation_init() does it. Programs compiled with an earlier 1.x may have a
- * shorter struct; any other size fails with V_ERR_SIZE.
+ * How the camera looks at a point of the path, and how it moves on from there. The
+ * window calls an orientation a view.
  */
 struct v_orientation {
-    /** sizeof (V_ORIENTATION) */
     size_t size;
     /**
      * not 0: target is a point in the world; 0: an offset from the path's point, of
@@ -372,8 +375,7 @@ struct v_orientation {
     /** what the camera looks at; must not be the point itself */
     double target[3];
     /**
-     * degrees, turns the up vector about the view direction; any finite number, stored
-     * in (-180, 180]
+     * degrees, turns up about the view; any finite number, stored in (-180, 180]
      */
     double roll;
     /** 1 to 2000 */
@@ -387,20 +389,17 @@ struct v_orientation {
      * speeds apply
      */
     double speed[10];
-    /** number of frames that the camera rests here, 0 to 1000000 */
+    /** frames that the camera rests here, 0 to 1000000 */
     int hold;
 };
 
 typedef struct v_orientation V_ORIENTATION;
 
 /**
- * A mesh: points, and the lines and triangles that connect them. Without lines and
- * triangles only the points are shown.
- *
- * Set size before any call, see V_ORIENTATION.
+ * A mesh: points, and the lines and triangles that connect them; without either, only
+ * the points are shown.
  */
 struct v_mesh {
-    /** sizeof (V_MESH) */
     size_t size;
     /** three numbers per point */
     const double *xyz;
@@ -419,20 +418,14 @@ struct v_mesh {
 
 typedef struct v_mesh V_MESH;
 
-/**
- * The space of a path: a cube in your world, see v_path_set_space(). v_space_init()
- * fills in the space of a new path.
- *
- * Set size before any call, see V_ORIENTATION.
- */
+/** The space of a path: a cube in your world, see v_path_set_space(). */
 struct v_space {
-    /** sizeof (V_SPACE) */
     size_t size;
-    /** its centre, in your world */
+    /** its centre */
     double centre[3];
     /** half the length of its edge, 1e-30 to 1e30 */
     double half_size;
-    /** which axis is up, V_UP_Y or V_UP_Z */
+    /** V_UP_Y or V_UP_Z */
     int up;
 };
 
@@ -442,53 +435,43 @@ typedef struct v_space V_SPACE;
 struct v_pose {
     /** position of the camera */
     double vrp[3];
-    /** view direction, along which the camera looks; length 1 */
+    /** view direction; length 1 */
     double vpn[3];
     /** up; length 1, perpendicular to vpn */
     double vup[3];
     /**
-     * 1 to 2000: focal length in mm of a 36 x 24 mm camera, so that the vertical field
-     * of view is 2 atan (12 / zoom); v_zoom_from_fov() converts other lenses
+     * 1 to 2000: focal length in mm of a 36 x 24 mm camera, with a vertical field of
+     * view of 2 atan (12 / zoom). For other lenses see v_zoom_from_fov()
      */
     double zoom;
 };
 
 typedef struct v_pose V_POSE;
 
-/**
- * The motion of a camera at a frame, see v_path_motion(). The library fills it in.
- *
- * Set size before any call, see V_ORIENTATION.
- */
+/** The motion of a camera at a frame. */
 struct v_motion {
-    /** sizeof (V_MOTION) */
     size_t size;
-    /** length of the path since the first frame */
+    /** along the path since the first frame */
     double distance;
-    /** length of the path per second */
+    /** length per second */
     double speed;
-    /** degrees per second by which the camera turns, rolling included */
+    /** degrees per second, rolling included */
     double turning;
-    /**
-     * curvature of the path, 1 / radius; 0 where the camera holds or turns on the spot
-     */
+    /** 1 / radius; 0 where the camera holds or turns on the spot */
     double curvature;
 };
 
 typedef struct v_motion V_MOTION;
 
 /**
- * A node at rest. Its local matrix is T(position) T(pivot) R S T(-pivot); its world
- * matrix is that of its parent times the local one. Lights and cameras look along
- * their own +z axis with +y up and have pivot 0. Values that a kind of node does not
- * have are ignored.
- *
- * Set size before any call, see V_ORIENTATION; v_node_init() does it.
+ * A node at rest. Its local matrix is T(position) T(pivot) R S T(-pivot), its world
+ * matrix its parent's times the local one. Lights and cameras look along their own +z
+ * axis with +y up and have pivot 0. Values that a kind of node does not have are
+ * ignored.
  */
 struct v_node {
-    /** sizeof (V_NODE) */
     size_t size;
-    /** V_NODE_GROUP, V_NODE_OBJECT, V_NODE_LIGHT or V_NODE_CAMERA */
+    /** V_NODE_... */
     int kind;
     /** parent node; -1: none */
     int parent;
@@ -496,7 +479,7 @@ struct v_node {
     int visible;
     /** lights and cameras: the node at whose pivot it looks; -1: none */
     int aim;
-    /** the point that the node turns and scales about */
+    /** what the node turns and scales about */
     double pivot[3];
     double position[3];
     /** w x y z, of any length but 0 */
@@ -504,9 +487,9 @@ struct v_node {
     double scale[3];
     /** cameras: 1 to 2000, see V_POSE */
     double zoom;
-    /** cameras: degrees, turns the up vector about the view direction */
+    /** cameras: degrees, turns up about the view */
     double roll;
-    /** lights: V_LIGHT_DIRECTIONAL, V_LIGHT_POINT or V_LIGHT_SPOT */
+    /** lights: V_LIGHT_... */
     int light;
     /** lights and objects: linear red, green, blue, each 0 or more */
     double colour[3];
@@ -526,19 +509,19 @@ typedef struct v_node V_NODE;
 /* ---- Scenes ------------------------------------------------------------------ */
 
 /**
- * A handle for a scene (see V_PATH): a tree of nodes that move on one timeline. Free
- * it with v_scene_free(). Nodes are numbered from 0.
+ * A handle for a scene (see V_PATH): a tree of nodes that move on one timeline.
  *
  * Inside a function given to v_register_interpolation(), functions that take a V_SCENE
- * fail with V_ERR_BUSY, except v_scene_free().
+ * fail with V_ERR_BUSY, except v_scene_free(). A text that they return is valid until
+ * the same thread's next call that returns one.
  */
 typedef struct v_scene V_SCENE;
 
 /**
- * Computes the value of a channel at a frame between its first and last key. It is
- * given the frames of the keys and their values, width numbers per key. It writes
- * width numbers to value and returns V_OK; if it returns anything else, or writes a
- * number that is not finite, the channel steps from key to key.
+ * Computes the value of a channel at a frame between its first and last key, from the
+ * frames and the values of the keys, width numbers each. It writes width numbers to
+ * value and returns V_OK; if it returns anything else, or writes a number that is not
+ * finite, the channel steps from key to key.
  */
 typedef int (*V_INTERPOLATE)(const double *frames,
                              const double *values,
@@ -568,15 +551,15 @@ typedef struct v_node_state V_NODE_STATE;
 
 /** Something that v_path_check() found. It does not grow. */
 struct v_finding {
-    /** its kind, see v_path_check(); the text is the library's and stays */
+    /** see v_path_check(); the text is constant */
     const char *kind;
-    /** poses counted from 1, where it begins */
+    /** where it begins */
     double first_frame;
     /** and where it ends */
     double last_frame;
-    /** the support point at which the section begins */
+    /** the point at which the section begins */
     int point;
-    /** the orientation of that point with which it begins */
+    /** the orientation with which it begins */
     int orientation;
     /** the worst value */
     double value;
@@ -587,14 +570,10 @@ struct v_finding {
 typedef struct v_finding V_FINDING;
 
 /**
- * Limits of a speed profile; 0: no limit. Lengths are in units of the space's half_size
- * (v_path_set_space()), as in v_path_check(). v_limits_init() fills in the defaults of
- * v_path_check().
- *
- * Set size before any call, see V_ORIENTATION.
+ * Limits of a speed profile; 0: no limit. Lengths are in units of the space's
+ * half_size, as in v_path_check(), whose defaults v_limits_init() fills in.
  */
 struct v_limits {
-    /** sizeof (V_LIMITS) */
     size_t size;
     /** length per second */
     double speed;
@@ -609,35 +588,29 @@ struct v_limits {
     /** mm per second */
     double zoom;
     /**
-     * least time in seconds in which what is in the middle of the picture may cross it
+     * least seconds in which what is in the middle of the picture may cross it
      */
     double crossing;
 };
 
 typedef struct v_limits V_LIMITS;
 
-/**
- * Options of a tour that shows an object, see v_path_tour(). v_tour_init() fills in
- * the defaults.
- *
- * Set size before any call, see V_ORIENTATION.
- */
+/** Options of v_path_tour(). */
 struct v_tour {
-    /** sizeof (V_TOUR) */
     size_t size;
     /** duration of the flight, > 0 */
     double seconds;
     /** fraction, by area, of the visible surface to show: > 0, at most 1 */
     double coverage;
-    /** distance of the camera from what it shows; 0: chosen by VIDES */
+    /** of the camera from what it shows; 0: chosen by VIDES */
     double distance;
-    /** not 0: in the free space inside the object instead of around it */
+    /** not 0: in the free space inside the object, not around it */
     int inside;
     /** not 0: begins at start; 0: a closed tour */
     int has_start;
     /** where it begins */
     double start[3];
-    /** which axis is up, V_UP_Y or V_UP_Z */
+    /** V_UP_Y or V_UP_Z */
     int up;
 };
 
@@ -647,42 +620,38 @@ typedef struct v_tour V_TOUR;
 /* ---- Editor windows ---------------------------------------------------------- */
 
 /**
- * A handle for an editor window (see V_PATH). The window belongs to the thread that
- * opened it; on any other, its functions fail with V_ERR_HANDLE. Free it with
- * v_editor_close(), even if the user has closed the window.
+ * A handle for an editor window (see V_PATH). On any thread but the one that opened
+ * it, its functions fail with V_ERR_HANDLE. Free it even if the user has closed the
+ * window.
  */
 typedef struct v_editor V_EDITOR;
 
 /**
- * Options of an editor window. v_editor_options_init() fills in the defaults. What
- * they point to, except user, must only remain valid during v_editor_open().
- *
- * Set size before any call, see V_ORIENTATION.
+ * Options of an editor window. What they point to, except user, need only remain valid
+ * during v_editor_open().
  */
 struct v_editor_options {
-    /** sizeof (V_EDITOR_OPTIONS) */
     size_t size;
     /**
-     * text after "VIDES" in the title, UTF-8, one line; NULL: the name of the file
+     * text after "VIDES" in the title, one line; NULL: the name of the file
      */
     const char *title;
     /**
-     * a .vid file to start with and to save to; one that does not exist yet is a new
-     * path of that name; NULL: none
+     * a .vid file to start with and to save to; if it does not exist yet, a new path
+     * of that name; NULL: none
      */
     const char *file;
     /**
-     * a path to start with, copied; NULL: a new one, or that of file. Must not be
-     * given together with file
+     * a path to start with; NULL: a new one, or that of file. Not together with file
      */
     const V_PATH *path;
     /**
-     * an object to show, copied, at which a new path looks; NULL: that of the path
+     * an object to show, at which a new path looks; NULL: that of the path
      */
     const V_MESH *object;
     /**
-     * base speeds, see v_path_set_base_frames(). All 0: those of the path. Otherwise
-     * they are fixed: the window keeps them and ignores those of a loaded file
+     * base speeds, see v_path_set_base_frames(). All 0: those of the path; otherwise
+     * they are fixed, and those of a loaded file are ignored
      */
     double move_frames;
     double turn_frames;
@@ -694,38 +663,35 @@ struct v_editor_options {
      */
     const char *display;
     /**
-     * "de" or "en"; NULL: from the environment's LC_ALL, LC_MESSAGES, LANG. A language
-     * chosen by the user in the setup takes precedence
+     * "de" or "en"; NULL: by LC_ALL, LC_MESSAGES, LANG. A language that the user chose
+     * in the setup takes precedence
      */
     const char *language;
     /**
-     * called when the user hands over the poses, which belong to the library and are
-     * valid until it returns. In a scene they are those of the camera shown, one for
-     * each frame of v_scene_frame_range(). NULL: no hand-over is possible
+     * called when the user hands over the poses, which are valid until it returns; in
+     * a scene those of the camera shown, one for each frame of v_scene_frame_range().
+     * NULL: no hand-over is possible
      */
     void (*on_poses)(V_EDITOR *editor, const V_POSE *poses, size_t count, void *user);
     /**
-     * called before the user closes the window; returning 0 keeps it open. NULL: it
-     * closes
+     * called before the user closes the window; 0 keeps it open. NULL: it closes
      */
     int (*on_close)(V_EDITOR *editor, void *user);
     /** your pointer, passed to the callbacks */
     void *user;
     /**
-     * the space in your world: its centre, half of its edge, and the up axis, V_UP_Y
-     * or V_UP_Z; also for a scene in file. With space_half_size 0, the space is that
-     * of file or path, and V_UP_Z makes z the up axis of a new path
+     * the space in your world, also for a scene in file: its centre, half of its edge,
+     * V_UP_Y or V_UP_Z. With space_half_size 0 it is that of file or path, and V_UP_Z
+     * makes z the up axis of a new path
      */
     double space_centre[3];
     double space_half_size;
     int space_up;
     /**
-     * called with the camera at the playhead whenever it has changed, whether or not
-     * the window is visible (it may be covered, iconified, on another desktop, or in a
-     * parent that is not shown): at most 60 times a second, combining changes in
-     * between. frame counts from 1; reason is one of V_VIEW_.... The pose belongs to
-     * the library and is valid until it returns. After a call of more than 30 ms the
-     * next one waits as long; the last pose always arrives. NULL: none
+     * called with the camera at the playhead whenever it has changed, at most 60 times
+     * a second, even if the window is covered, iconified or not shown; reason is one
+     * of V_VIEW_.... The pose is valid until it returns. After a call of more than 30
+     * ms the next one waits as long; the last pose always arrives. NULL: none
      */
     void (*on_view)(V_EDITOR *editor,
                     const V_POSE *pose,
@@ -733,30 +699,27 @@ struct v_editor_options {
                     int reason,
                     void *user);
     /**
-     * called when the path in the window has changed: after each step, undo and redo,
-     * but not during a drag; steps within a sixtieth of a second are combined. It is
-     * called whether or not the window is visible, like on_view. A tool's preview
-     * before OK does not count as a change here, nor for on_view, on_frame and
+     * called, like on_view, when the path in the window has changed: after each step,
+     * undo and redo, not during a drag; steps within a sixtieth of a second are
+     * combined. A tool's preview before OK is no change, nor for on_view, on_frame and
      * on_poses. NULL: none
      */
     void (*on_change)(V_EDITOR *editor, void *user);
     /**
      * called when the user adds your program's view to the path (Ctrl-Enter): fill in
-     * your camera and return 1, or return 0 if you have no camera. vpn and vup have any
-     * length but 0 and are not parallel. NULL: the window uses the view of
-     * v_editor_set_view()
+     * your camera and return 1, or return 0 if you have none. vpn and vup have any
+     * length but 0 and are not parallel. NULL: the view of v_editor_set_view()
      */
     int (*on_capture)(V_EDITOR *editor, V_POSE *pose, void *user);
     /**
      * called when the camera pane opens, changes its size in pixels, or closes (window
-     * 0, sizes 0). Draw in it what the camera sees, and again at each Expose: in a
-     * child window that you create there, of any visual, which is kept at the pane's
-     * size, or in the pane itself, which has the screen's own visual. A pane is never
-     * destroyed while the process lives. When it closes, it is unmapped, a child in it
-     * is moved to the root window, unmapped, and then this is called. When the editor
-     * closes, this is called after its window is gone, also by v_editor_close(); the
-     * editor's handle may then be freed already. It is not called when the thread
-     * ends. On a server without XFIXES or SHAPE there is no pane. NULL: the editor
+     * 0, sizes 0). Draw in it what the camera sees, again at each Expose: in the pane,
+     * which has the screen's own visual, or in a child window of any visual that you
+     * create there and that is kept at its size. A pane is never destroyed while the
+     * process lives: it is unmapped, a child is moved to the root window and unmapped,
+     * and then this is called. When the editor closes, also by v_editor_close(), that
+     * is after its window is gone; its handle may be freed already. Not called when
+     * the thread ends. Without XFIXES or SHAPE there is no pane. NULL: the editor
      * draws the picture itself
      */
     void (*on_pane)(V_EDITOR *editor,
@@ -765,53 +728,50 @@ struct v_editor_options {
                     int height,
                     void *user);
     /**
-     * what the window calls your program's view, UTF-8, one line; NULL: "program"
+     * what the window calls your program's view, one line; NULL: "program"
      */
     const char *host_name;
     /**
-     * an X window of the display, of any depth: the editor becomes its child and fills
-     * it; 0: a top-level window. If the parent is destroyed, or the editor's window is
-     * moved to the root, the editor closes without calling on_close, and unsaved work
-     * is offered at the next start. V_ERR_ARGUMENT if it is not a window
+     * an X window of the display, of any depth, which the editor fills as its child;
+     * 0: a top-level window. If it is destroyed, or the editor's window is moved to
+     * the root, the editor closes without on_close, and unsaved work is offered at the
+     * next start. V_ERR_ARGUMENT if it is not a window
      */
     unsigned long parent;
     /**
-     * your window that the editor's window belongs to; window managers keep the editor
-     * above it; 0: none. V_ERR_ARGUMENT if it is not a window
+     * your window, above which window managers keep the editor; 0: none.
+     * V_ERR_ARGUMENT if it is not a window
      */
     unsigned long transient_for;
     /**
-     * name of the program, UTF-8: the first half of WM_CLASS, by which desktops group
-     * windows, and by which unsaved work is found again; NULL: the name of the running
-     * program
+     * name of the program: the first half of WM_CLASS, by which desktops group windows
+     * and unsaved work is found again; NULL: that of the running program
      */
     const char *application;
     /**
-     * not 0: after a hand-over nothing is unsaved. That always holds without a file,
-     * and in a window of v_haupt()
+     * not 0: after a hand-over nothing is unsaved, as always without a file and in a
+     * window of v_haupt()
      */
     int hand_over_saves;
     /**
-     * for programs that draw the scene themselves, with v_editor_get_scene() and
-     * v_scene_evaluate(): called with the scene's frame at the playhead and a reason
-     * (V_VIEW_...) when that frame or the scene has changed; as often as on_view.
-     * NULL: none
+     * for programs that draw the scene themselves (v_editor_get_scene(),
+     * v_scene_evaluate()): called with the scene's frame at the playhead and
+     * V_VIEW_... when that frame or the scene has changed, as often as on_view. NULL:
+     * none
      */
     void (*on_frame)(V_EDITOR *editor, double frame, int reason, void *user);
     /**
-     * the view that your program's picture shows when the window opens; copied. A new
-     * path begins with it and leads to the right, around what is in the middle of the
-     * picture. on_view is then called only when the camera has changed, so that
-     * opening the window does not move your picture. NULL: a new path looks at the
-     * object, and on_view is called at once
+     * what your program's picture shows when the window opens. A new path begins with
+     * it and leads to the right, around what is in the middle of the picture; on_view
+     * is called only when the camera has changed: opening the window does not move
+     * your picture. NULL: a new path looks at the object, and on_view is called at
+     * once
      */
     const V_POSE *view;
     /**
-     * called once, after the window is gone, so that your program can show its own
-     * view again. reason is one of V_GONE_.... You may free the handle here
-     * (v_editor_close()); any other use of it fails with V_ERR_CLOSED. It is not
-     * called when v_editor_close() closes the window, or when its thread ends. NULL:
-     * none
+     * called once, after the window is gone; reason is one of V_GONE_.... You may free
+     * the handle here; any other use of it fails with V_ERR_CLOSED. Not called when
+     * v_editor_close() closes the window or its thread ends. NULL: none
      */
     void (*on_gone)(V_EDITOR *editor, int reason, void *user);
 };
@@ -820,13 +780,10 @@ typedef struct v_editor_options V_EDITOR_OPTIONS;
 
 /**
  * A view as defined by PHIGS. The eye is on the side that normal points to, so it
- * looks against normal. Everything except vrp, normal and up is in the view's own
+ * looks against normal. Everything except vrp, normal and up is in the view's
  * coordinates u (right), v (up), n (along normal), with the origin at vrp.
- *
- * Set size before any call, see V_ORIENTATION.
  */
 struct v_view {
-    /** sizeof (V_VIEW) */
     size_t size;
     /** view reference point, world */
     double vrp[3];
@@ -858,71 +815,57 @@ extern "C" {
 /* ---- Errors, warnings, the version of the library ---------------------------- */
 
 /**
- * Returns the reason why the calling thread's last call of the library failed: one
- * sentence in English, UTF-8, "" after a success. Never NULL. A sentence longer than
- * 1023 bytes is shortened in the middle. Parameters have the names of this header
- * (path, options->title). Points, orientations and so on count from 0, and the
- * sentence says it; frames count from 1. The text belongs to the library and is valid
+ * Returns why the calling thread's last call failed: one sentence in English, "" after
+ * a success; never NULL. One longer than 1023 bytes is shortened in the middle. It
+ * names parameters (path, options->title) and counts as this header does. It is valid
  * until the same thread's next call of any function except this one, v_last_warning(),
  * v_strerror() and v_version().
  */
 const char *v_last_error(void);
 
 /**
- * Returns the warnings of the calling thread's last call that can warn: sentences in
- * English, UTF-8, or "". Never NULL. Comments of functions that can
- * warn mention it. If the text would exceed 1023 bytes, the sentence that does not fit
- * is shortened in the middle. The text belongs to the library and is valid until the
- * same thread's next call of a function that can warn.
+ * Returns the warnings of the calling thread's last call of a function whose comment
+ * mentions them: sentences in English, or ""; never NULL. If they would exceed 1023
+ * bytes, the one that does not fit is shortened in the middle. They are valid until
+ * the same thread's next call of such a function.
  */
 const char *v_last_warning(void);
 
-/**
- * Returns the meaning of a status, in English. Never NULL; the text is constant.
- */
+/** Returns the meaning of a status, in English; never NULL. */
 const char *v_strerror(int status);
 
-/**
- * Returns the version of the library in use, as "1.0.0". Never NULL; the text is
- * constant.
- */
+/** Returns the version of the library in use, as "1.0.0"; never NULL. */
 const char *v_version(void);
 
 
 /* ---- The interface of 1994 --------------------------------------------------- */
 
 /**
- * Opens an editor window for a camera path and returns at once. The window then works
- * beside your program, in its event loop. Each call opens another, independent window,
- * on the display that the program's Xt opened last; without Xt, on the environment's
- * DISPLAY. A program with an Xt or Motif main loop needs nothing more; others see
- * v_fd() and v_main_loop(). Work that is not handed over or saved when the program
- * ends is offered at its next start; for your own Quit see v_editors_close().
+ * Opens an editor window for a camera path and returns at once. Each call opens
+ * another, independent window, on the display that the program's Xt opened last;
+ * without Xt, on the environment's DISPLAY. It works in your program's event loop: a
+ * program with an Xt or Motif main loop needs nothing more; others see v_fd() and
+ * v_main_loop(). Work not handed over or saved when the program ends is offered at its
+ * next start; for your own Quit see v_editors_close().
  *
- * move_speed, orient_speed, zoom_speed, winkel_speed  number of poses at speed 50 for
- *     moving by a length of 1, for turning by 180 degrees, for zooming from 1 to 100,
- *     for rolling by 90 degrees. Each is finite and > 0; otherwise 100 is used. They
- *     are fixed in this window: those of a file that is loaded are ignored
- * interpol_liste  first element of the list that receives the poses, see V_KAMERAPAR.
- *     It is yours and must outlive the window; may be NULL. Its number is read at each
- *     hand-over: < 0 means no data (any more). Several windows may share
- *     an element
- * anzahl_objekt, objekt  points of an object to show, copied during the call; NULL or
- *     a number <= 0 for none. The new path looks at it
+ * move_speed, orient_speed, zoom_speed, winkel_speed  poses at speed 50 for moving by
+ *     1, turning by 180 degrees, zooming from 1 to 100, rolling by 90 degrees; 100
+ *     replaces one that is not finite and > 0. Those of a loaded file are ignored
+ * interpol_liste  first element of the list that receives the poses, see V_KAMERAPAR,
+ *     or NULL. It must outlive the window; several windows may share it. Its number is
+ *     read at each hand-over: < 0 means no data (any more)
+ * anzahl_objekt, objekt  points of an object to show, at which the new path looks;
+ *     NULL or a number <= 0: none
  * rueck  called when the user hands over poses, with the list and its count; may be
- *     NULL. The list is not changed until the next hand-over. If interpol_liste is
- *     NULL, the elements belong to VIDES and are valid until rueck returns
- * ende   called before the user closes the window; returning 0 keeps it open; may be
- *     NULL
+ *     NULL. The list is unchanged until the next hand-over. If interpol_liste is NULL,
+ *     the elements are valid until rueck returns
+ * ende  called before the user closes the window; 0 keeps it open; may be NULL
  *
- * rueck and ende run on the thread that called v_haupt(). The rules of v_editor_open()
- * for callbacks apply to them.
- *
- * Wrong arguments, or a window that cannot be opened, are reported in one line on
- * standard error that begins with "vides:", by v_last_error(), and in the window if
- * there is one. When the thread ends, its window is closed, and such a line reports
- * it.
- * From the thread that runs the event loop; from callbacks too.
+ * Call it from the thread that runs the event loop; rueck and ende run there, by the
+ * rules of v_editor_open(). Wrong arguments, a window that cannot be opened, or one
+ * that closes because its thread ends are reported in one line on standard error that
+ * begins with "vides:"; the first two also by v_last_error(), and in the window if
+ * there is one.
  */
 void v_haupt(float move_speed,
              float orient_speed,
@@ -935,11 +878,10 @@ void v_haupt(float move_speed,
              int (*ende)(void));
 
 /**
- * Frees all elements of a list except the first, which is yours, and sets the number
- * of the first to -1 (no data). It frees only a list that VIDES made and whose links
- * and numbers are unchanged; otherwise it changes nothing, and v_last_error() returns
- * the reason. It ignores NULL and lists without data (number < 0).
- * Any thread, if no other uses the list meanwhile; from callbacks too.
+ * Frees all elements of a list except the first, which is yours, and sets its number
+ * to -1 (no data). A list that VIDES did not make, or whose links and numbers were
+ * changed, stays unchanged; v_last_error() returns the reason. NULL and lists without
+ * data (number < 0) are ignored. No other thread may use the list meanwhile.
  */
 void v_free_liste(V_KAMERAPAR *first);
 
@@ -948,52 +890,44 @@ void v_free_liste(V_KAMERAPAR *first);
 
 /**
  * Returns the descriptor to watch with select(), poll() or the like; when it is
- * readable, call v_dispatch(). It remains the same and open as long as the thread
- * lives, with and without windows. It belongs to the library: never read or close it.
- * Returns -1 if the system has no more descriptors; v_last_error() returns the reason.
+ * readable, call v_dispatch(). It stays the same and open as long as the thread lives;
+ * never read or close it. Returns -1 if the system has no more descriptors.
  *
- * A program with an Xt or Motif main loop needs none of these functions: Xt serves its
- * windows, even if the program calls XtAppPending() first, unless it processes
- * XtIMXEvent only. Any other program, including one that runs Xt under its own
- * select(), watches this descriptor or calls v_main_loop(). Each function concerns the
- * windows that the calling thread opened. If no loop serves a window, a hint appears
- * on standard error.
- * The thread that opens the windows; from callbacks too.
+ * The functions of this section concern the windows that the calling thread opened. A
+ * program with an Xt or Motif main loop needs none of them: Xt serves its windows,
+ * even if the program calls XtAppPending() first, unless it processes XtIMXEvent only.
+ * Any other program, also one that runs Xt under its own select(), watches this
+ * descriptor or calls v_main_loop(). If no loop serves a window, a hint appears on
+ * standard error.
  */
 int v_fd(void);
 
 /**
- * Returns the longest time in milliseconds to wait for the descriptor before
- * v_dispatch() has something to do, even without input; -1 if there is no limit. You
- * may also wait for v_fd() alone, which becomes readable at that time.
- * The thread that opens the windows; from callbacks too.
+ * Returns the milliseconds after which v_dispatch() has something to do even without
+ * input, and v_fd() becomes readable; -1: no limit.
  */
 int v_timeout(void);
 
 /**
- * Does all pending work for the windows and never waits; callbacks run inside it.
- * Returns the number of open windows. A window that was destroyed, or whose X server
- * went away, is not counted; v_last_error() returns the reason. Inside a callback it
- * serves all windows except those whose callbacks are running.
- * The thread that opens the windows; from callbacks too.
+ * Does all pending work for the windows without waiting; callbacks run inside it.
+ * Returns the number of open windows; if one was destroyed, or its X server went away,
+ * v_last_error() returns the reason. Inside a callback it serves all windows except
+ * those whose callbacks are running.
  */
 int v_dispatch(void);
 
 /**
- * Serves the windows until the last one is closed, sleeping in between; for programs
- * that do nothing else meanwhile. Returns at once if there are no windows.
- * The thread that opens the windows. V_ERR_BUSY inside a callback; V_ERR_DISPLAY if a
- * window was destroyed or its X server went away, after all windows have closed;
- * V_ERR_LIMIT without descriptors.
+ * Serves the windows until the last one is closed, sleeping in between. Returns at
+ * once without windows.
+ * V_ERR_BUSY (inside a callback), V_ERR_DISPLAY (a window was destroyed or its X
+ * server went away; after all have closed), V_ERR_LIMIT (no descriptors).
  */
 int v_main_loop(void);
 
 /**
- * Lets an Xt application context, an XtAppContext run by this thread, serve the
- * thread's windows. Needed only if your program creates its context after opening a
- * window: v_haupt() and v_editor_open() find all existing contexts.
- * The thread that opens the windows; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT
- * (no Xt in this program, or no such context), V_ERR_LIMIT.
+ * Lets an XtAppContext run by this thread serve its windows. Needed only for one
+ * created after a window was opened, since opening a window finds all that exist.
+ * V_ERR_ARGUMENT (no Xt, or no such context), V_ERR_LIMIT.
  */
 int v_set_app_context(void *app_context);
 
@@ -1002,61 +936,49 @@ int v_set_app_context(void *app_context);
 
 /**
  * Makes a new path: two points at (-0.6, 0.2, 0.8) and (0.6, 0.2, 0.8), each with one
- * orientation as v_orientation_init() fills it in. Free *path with v_path_free().
- * V_ERR_NULL, V_ERR_MEMORY, V_ERR_LIMIT.
+ * orientation of v_orientation_init().
+ * V_ERR_MEMORY, V_ERR_LIMIT.
  */
 int v_path_new(V_PATH **path);
 
 /**
- * Makes an independent copy of a path. Free *copy with v_path_free().
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_MEMORY, V_ERR_LIMIT.
+ * Makes an independent copy of a path.
+ * V_ERR_MEMORY, V_ERR_LIMIT.
  */
 int v_path_clone(const V_PATH *path, V_PATH **copy);
 
 /**
- * Frees a path and makes its handle invalid. NULL is ignored; an invalid handle only
- * sets v_last_error(). If another thread is using the path, its call completes
+ * Frees a path. NULL is ignored. A call that uses it in another thread completes
  * normally.
  */
 void v_path_free(V_PATH *path);
 
 /**
- * Reads a path from a .vid file. From a scene (see v_scene_load()) it reads the path
- * of the camera shown; saving that to the same file would lose the rest of the scene.
- * file is a name as for open(). Free *path with v_path_free().
- * V_ERR_NULL, V_ERR_IO, V_ERR_FORMAT (with line and reason in v_last_error()),
- * V_ERR_ARGUMENT (no camera, or it follows no path), V_ERR_MEMORY, V_ERR_LIMIT. If
- * memory runs out while the text itself is read or parsed, the program ends.
+ * Reads a path from a .vid file; of a scene, the path of the camera shown: saving that
+ * to the same file would lose the rest.
+ * V_ERR_IO, V_ERR_FORMAT, V_ERR_ARGUMENT (no camera, or it follows no path),
+ * V_ERR_MEMORY, V_ERR_LIMIT.
  */
 int v_path_load(const char *file,
                 V_PATH **path);
 
 /**
- * Reads a path from the text of a .vid file in memory, like v_path_load(). text has
- * size bytes of UTF-8 and need not be zero-terminated. Free *path with v_path_free().
- * V_ERR_NULL, V_ERR_FORMAT (with line and reason in v_last_error()), V_ERR_ARGUMENT (a
- * scene without such a camera), V_ERR_MEMORY (but see v_path_load()), V_ERR_LIMIT.
+ * Like v_path_load(), from the text of a .vid file: size bytes, which need not be
+ * zero-terminated.
+ * V_ERR_FORMAT, V_ERR_ARGUMENT, V_ERR_MEMORY, V_ERR_LIMIT.
  */
-int v_path_load_from_memory(const char *text,
-                            size_t size,
-                            V_PATH **path);
+int v_path_load_from_memory(const char *text, size_t size, V_PATH **path);
 
 /**
- * Saves a path to a .vid file. The file is replaced atomically; when the call returns
- * V_OK, the new contents are on the disk. Symbolic links are followed and permissions
- * kept.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO, V_ERR_MEMORY. If memory runs out while the file
- * is opened or written, the program may end; the old file is kept.
+ * Saves a path to a .vid file, which is replaced atomically and is on the disk when
+ * the call returns V_OK. Symbolic links are followed and permissions kept.
+ * V_ERR_IO, V_ERR_MEMORY.
  */
-int v_path_save(const V_PATH *path,
-                const char *file);
+int v_path_save(const V_PATH *path, const char *file);
 
 /**
- * Gets the text that v_path_save() would write and that v_path_load_from_memory()
- * reads, zero-terminated. *length is its number of bytes without the zero. If capacity
- * is not larger than *length, only *length is written and the call fails with
- * V_ERR_SIZE; with text NULL and capacity 0, only *length is written.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY.
+ * Gets the text that v_path_save() would write.
+ * V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_save_to_memory(const V_PATH *path,
                           char *text,
@@ -1067,29 +989,26 @@ int v_path_save_to_memory(const V_PATH *path,
 /* ---- Points ------------------------------------------------------------------ */
 
 /**
- * Gets the number of points of a path, at least 2. They count from 0. (The thesis
- * calls them support points.)
- * V_ERR_NULL, V_ERR_HANDLE.
+ * Gets the number of points, at least 2.
  */
 int v_path_point_count(const V_PATH *path, int *count);
 
 /**
- * Inserts a point before the one at index at; if at is their number, appends it. The
- * new point copies all other properties from the point before it, or from the point
- * after it if at is 0; an absolute target equal to the new position becomes relative.
- * Coordinates are finite and at most 1e9 times half_size from the centre of the space.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ * Inserts a point before index at; if at is their number, appends it. It copies all
+ * other properties from the point before it, or from the one after it if at is 0; an
+ * absolute target equal to its position becomes relative. Coordinates are at most 1e9
+ * times half_size from the centre of the space.
+ * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_insert_point(V_PATH *path,
                         int at,
                         const double xyz[3]);
 
 /**
- * Divides a segment with 1 to 10 new points on its curve, at equal arc lengths. As in
- * 1994, the new points copy all other properties from the point before them, so the
- * motion changes. To keep the motion, use v_path_insert_on_curve(), as the window's
- * Pos.++ does at the nearest whole frames.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ * Divides a segment with 1 to 10 points on its curve, at equal arc lengths. They copy
+ * all other properties from the point before them, so the motion changes;
+ * v_path_insert_on_curve() keeps it.
+ * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_divide_segment(V_PATH *path,
                           int segment,
@@ -1097,15 +1016,14 @@ int v_path_divide_segment(V_PATH *path,
 
 /**
  * Removes a point. The last two cannot be removed.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+ * V_ERR_RANGE.
  */
 int v_path_remove_point(V_PATH *path, int at);
 
 /**
- * Moves a point. Absolute targets stay in place; relative ones move with it. The
- * position must not equal an absolute target of the point. Coordinates are limited as
- * in v_path_insert_point().
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE.
+ * Moves a point, with its relative targets. Absolute ones stay in place and must not
+ * equal the position. Coordinates as in v_path_insert_point().
+ * V_ERR_ARGUMENT, V_ERR_RANGE.
  */
 int v_path_set_position(V_PATH *path,
                         int at,
@@ -1113,29 +1031,25 @@ int v_path_set_position(V_PATH *path,
 
 /**
  * Gets the position of a point.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+ * V_ERR_RANGE.
  */
 int v_path_get_position(const V_PATH *path, int at, double xyz[3]);
 
 /**
- * Moves a point with all its properties to another index; the points between shift by
- * one.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
+ * Moves a point to another index; the points between shift by one.
+ * V_ERR_RANGE, V_ERR_MEMORY.
  */
-int v_path_move_point(V_PATH *path,
-                      int from,
-                      int to);
+int v_path_move_point(V_PATH *path, int from, int to);
 
 /**
- * Sets the name of a point: UTF-8, one line of at most 256 bytes; "" removes it.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ * Sets the name of a point: one line of at most 256 bytes; "" removes it.
+ * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_set_point_name(V_PATH *path, int at, const char *name);
 
 /**
- * Gets the name of a point, "" if it has none. The buffer works as in
- * v_path_get_title().
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_SIZE.
+ * Gets the name of a point, "" if it has none.
+ * V_ERR_RANGE, V_ERR_SIZE.
  */
 int v_path_get_point_name(const V_PATH *path,
                           int at,
@@ -1149,7 +1063,7 @@ int v_path_get_point_name(const V_PATH *path,
 /**
  * Sets the tension, continuity and bias of a point, each from -1 to 1 (Kochanek and
  * Bartels 1984), instead of a preset.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+ * V_ERR_RANGE.
  */
 int v_path_set_tcb(V_PATH *path,
                    int at,
@@ -1159,14 +1073,14 @@ int v_path_set_tcb(V_PATH *path,
 
 /**
  * Makes a point use one of the path's presets, 0 to 9.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+ * V_ERR_RANGE.
  */
 int v_path_use_preset(V_PATH *path, int at, int preset);
 
 /**
- * Gets the tension, continuity and bias in effect at a point, and the preset that it
- * uses, or -1 if it has its own values. Any result may be NULL.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+ * Gets the tension, continuity and bias in effect at a point, and its preset, or -1 if
+ * it has its own values.
+ * V_ERR_RANGE.
  */
 int v_path_get_tcb(const V_PATH *path,
                    int at,
@@ -1174,9 +1088,9 @@ int v_path_get_tcb(const V_PATH *path,
                    int *preset);
 
 /**
- * Sets one of the path's ten presets, 0 to 9, which changes every point that uses it.
- * Each value is from -1 to 1.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+ * Sets one of the path's ten presets, 0 to 9, for every point that uses it. Each value
+ * is from -1 to 1.
+ * V_ERR_RANGE.
  */
 int v_path_set_preset(V_PATH *path,
                       int preset,
@@ -1186,7 +1100,7 @@ int v_path_set_preset(V_PATH *path,
 
 /**
  * Gets the tension, continuity and bias of a preset, 0 to 9.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+ * V_ERR_RANGE.
  */
 int v_path_get_preset(const V_PATH *path, int preset, double tcb[3]);
 
@@ -1194,28 +1108,22 @@ int v_path_get_preset(const V_PATH *path, int preset, double tcb[3]);
 /* ---- Orientations ------------------------------------------------------------ */
 
 /**
- * Fills in an orientation: size, viewing direction (0, 0, -1) (relative, target (0, 0,
- * -0.4)), roll 0, zoom 24, tension, continuity and bias 0, all speeds 50, hold 0. NULL
- * only sets v_last_error().
+ * Fills in an orientation: relative target (0, 0, -0.4), roll 0, zoom 24, tension,
+ * continuity and bias 0, all speeds 50, hold 0.
  */
 void v_orientation_init(V_ORIENTATION *o);
 
 /**
- * Gets the number of orientations of a point, 1 to 10. They count from 0, in the order
- * in which the camera takes them: it arrives in the first, turns from one to the next,
- * and leaves in the last.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+ * Gets the number of orientations of a point, 1 to 10. The camera arrives in the
+ * first, turns from one to the next, and leaves in the last.
+ * V_ERR_RANGE.
  */
-int v_path_orientation_count(const V_PATH *path,
-                             int point,
-                             int *count);
+int v_path_orientation_count(const V_PATH *path, int point, int *count);
 
 /**
- * Inserts an orientation before the one at index at; if at is their number, appends
- * it. o is copied; NULL copies the orientation before the new one, or the first one if
- * at is 0.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_SIZE, V_ERR_LIMIT,
- * V_ERR_MEMORY.
+ * Inserts an orientation before index at; if at is their number, appends it. NULL
+ * copies the one before it, or the first one if at is 0.
+ * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_insert_orientation(V_PATH *path,
                               int point,
@@ -1224,14 +1132,14 @@ int v_path_insert_orientation(V_PATH *path,
 
 /**
  * Removes an orientation. The only one of a point cannot be removed.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+ * V_ERR_RANGE.
  */
 int v_path_remove_orientation(V_PATH *path, int point, int at);
 
 /**
- * Sets all values of an orientation; o is copied. Settings that V_ORIENTATION does not
- * have (ease, distance curve, fixed frames, looking ahead) are unchanged.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_SIZE.
+ * Sets all values of an orientation. Settings that V_ORIENTATION does not have (ease,
+ * distance curve, fixed frames, looking ahead, up) are unchanged.
+ * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_SIZE.
  */
 int v_path_set_orientation(V_PATH *path,
                            int point,
@@ -1239,16 +1147,15 @@ int v_path_set_orientation(V_PATH *path,
                            const V_ORIENTATION *o);
 
 /**
- * Gets the values of an orientation. Set o->size before, for example with
- * v_orientation_init().
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_SIZE.
+ * Gets the values of an orientation.
+ * V_ERR_RANGE, V_ERR_SIZE.
  */
 int v_path_get_orientation(const V_PATH *path, int point, int at, V_ORIENTATION *o);
 
 /**
  * Makes the target of an orientation absolute (not 0) or relative (0). The view does
  * not change.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+ * V_ERR_RANGE.
  */
 int v_path_set_absolute(V_PATH *path,
                         int point,
@@ -1256,14 +1163,13 @@ int v_path_set_absolute(V_PATH *path,
                         int absolute);
 
 /**
- * Makes an orientation look ahead along the path instead of at its target. In a
- * section between two orientations with the same distance and the same up, the camera
- * looks ahead throughout.
+ * Makes an orientation look ahead along the path instead of at its target. Between two
+ * orientations with the same distance and up, the camera looks ahead throughout.
  *
  * distance  0: along the tangent; > 0: at the position this far ahead on the curve,
- *     straight on beyond its end; < 0: stops looking ahead and keeps the present
- *     direction as an offset. At most 1e9 times half_size
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
+ *     straight on beyond its end, at most 1e9 times half_size; < 0: no longer ahead,
+ *     keeping the present direction as an offset
+ * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
  */
 int v_path_set_ahead(V_PATH *path,
                      int point,
@@ -1271,33 +1177,28 @@ int v_path_set_ahead(V_PATH *path,
                      double distance);
 
 /**
- * Gets how far ahead an orientation looks, see v_path_set_ahead(); -1 if it looks at
- * its target.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+ * Gets how far ahead an orientation looks; -1 if it looks at its target.
+ * V_ERR_RANGE.
  */
-int v_path_get_ahead(const V_PATH *path,
-                     int point,
-                     int at,
-                     double *distance);
+int v_path_get_ahead(const V_PATH *path, int point, int at, double *distance);
 
 /**
  * Sets which way is up for an orientation, before its roll, whether it looks at a
- * target or ahead. In a section between two orientations with the same view and the
- * same up, the camera keeps both throughout.
+ * target or ahead. Between two orientations with the same view and up, the camera
+ * keeps both throughout.
  *
  * up  "axis"     the up axis of the space, the default
  *     "point"    towards up_point
  *     "path"     towards the position on up_path at the same fraction of its length.
- *                The curve is copied; a closed one ends where it begins
+ *                A closed one ends where it begins
  *     "minimal"  starts with the up axis and is carried on without turning about the
  *                view, through all consecutive orientations that have it; on a closed
  *                path, the angle missing at the end is spread over the length
- *     "frenet"   the normal of the curve; only for curves of kind "cubic" without
- *                custom tangents
+ *     "frenet"   the normal of the curve, only of kind "cubic" without custom tangents
  *     "y", "z"   this axis, whatever the space's up axis
  * Arguments that an up does not need may be NULL. A path has at most 10 different up
- * paths, each with at most 1000 points.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ * paths of at most 1000 points.
+ * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_set_up(V_PATH *path,
                   int point,
@@ -1307,14 +1208,9 @@ int v_path_set_up(V_PATH *path,
                   const V_PATH *up_path);
 
 /**
- * Gets which way is up for an orientation, see v_path_set_up(). Any result may be
- * NULL.
- *
- * up        its name; the text belongs to the library and is constant
- * up_point  the point of "point", otherwise zeros
- * up_path   an open path with the curve of "path", to be freed with v_path_free();
- *     otherwise NULL
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ * Gets the up of an orientation (a constant text), the point of "point" or zeros, and
+ * an open path with the curve of "path", which you free, or NULL.
+ * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_get_up(const V_PATH *path,
                   int point,
@@ -1327,15 +1223,14 @@ int v_path_get_up(const V_PATH *path,
 /* ---- What holds for the whole path ------------------------------------------- */
 
 /**
- * Sets the base speeds of a path: the number of frames that each movement takes at
- * speed 50, finite and > 0, so that a larger value is slower. v_haupt() calls them
- * speeds.
+ * Sets the base speeds: the frames that each movement takes at speed 50, finite and >
+ * 0; larger is slower.
  *
  * move_frames  moving by half_size (v_path_set_space())
  * turn_frames  turning by 180 degrees
  * zoom_frames  zooming from 1 to 100
  * roll_frames  rolling by 90 degrees
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT.
+ * V_ERR_ARGUMENT.
  */
 int v_path_set_base_frames(V_PATH *path,
                            double move_frames,
@@ -1343,10 +1238,7 @@ int v_path_set_base_frames(V_PATH *path,
                            double zoom_frames,
                            double roll_frames);
 
-/**
- * Gets the base speeds, see v_path_set_base_frames(). Any result may be NULL.
- * V_ERR_NULL, V_ERR_HANDLE.
- */
+/** Gets the base speeds. */
 int v_path_get_base_frames(const V_PATH *path,
                            double *move_frames,
                            double *turn_frames,
@@ -1356,41 +1248,33 @@ int v_path_get_base_frames(const V_PATH *path,
 /**
  * Closes a path with one more segment from the last point to the first (not 0), or
  * opens it (0).
- * V_ERR_NULL, V_ERR_HANDLE.
  */
 int v_path_set_closed(V_PATH *path, int closed);
 
-/**
- * Gets whether a path is closed: 1 or 0.
- * V_ERR_NULL, V_ERR_HANDLE.
- */
+/** Gets whether a path is closed: 1 or 0. */
 int v_path_get_closed(const V_PATH *path, int *closed);
 
 /**
- * Sets how the camera turns between its orientations (V_ORIENTATION_TCB,
- * V_ORIENTATION_BARRY_GOLDMAN, V_ORIENTATION_SLERP) and how the zoom changes
- * (V_ZOOM_SMOOTH, V_ZOOM_LINEAR).
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+ * Sets how the camera turns between its orientations (V_ORIENTATION_...) and how the
+ * zoom changes (V_ZOOM_...).
+ * V_ERR_RANGE.
  */
-int v_path_set_modes(V_PATH *path, int orientation_mode, int zoom_mode);
+int v_path_set_modes(V_PATH *path,
+                     int orientation_mode,
+                     int zoom_mode);
 
-/**
- * Gets the modes, see v_path_set_modes(). Any result may be NULL.
- * V_ERR_NULL, V_ERR_HANDLE.
- */
+/** Gets the modes. */
 int v_path_get_modes(const V_PATH *path, int *orientation_mode, int *zoom_mode);
 
 /**
- * Sets the title of a path: UTF-8, one line of at most 256 bytes; "" removes it.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_MEMORY.
+ * Sets the title: one line of at most 256 bytes; "" removes it.
+ * V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_set_title(V_PATH *path, const char *title);
 
 /**
- * Gets the title of a path, zero-terminated. *length is its number of bytes without
- * the zero. If capacity is not larger than *length, only *length is written and the
- * call fails with V_ERR_SIZE; with title NULL and capacity 0, only *length is written.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE.
+ * Gets the title.
+ * V_ERR_SIZE.
  */
 int v_path_get_title(const V_PATH *path,
                      char *title,
@@ -1398,14 +1282,14 @@ int v_path_get_title(const V_PATH *path,
                      size_t *length);
 
 /**
- * Sets the comment of a path: UTF-8, any number of lines; "" removes it.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_MEMORY.
+ * Sets the comment: any number of lines; "" removes it.
+ * V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_set_comment(V_PATH *path, const char *comment);
 
 /**
- * Gets the comment of a path, like v_path_get_title().
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE.
+ * Gets the comment.
+ * V_ERR_SIZE.
  */
 int v_path_get_comment(const V_PATH *path,
                        char *comment,
@@ -1415,45 +1299,36 @@ int v_path_get_comment(const V_PATH *path,
 /**
  * Sets the frame rate in frames per second, > 0 and at most 100000, by default 25.
  * Poses do not change.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+ * V_ERR_RANGE.
  */
 int v_path_set_fps(V_PATH *path, double fps);
 
-/**
- * Gets the frame rate in frames per second.
- * V_ERR_NULL, V_ERR_HANDLE.
- */
+/** Gets the frame rate. */
 int v_path_get_fps(const V_PATH *path, double *fps);
 
 /**
  * Sets the number of the first pose in the user's film, by default 1. Files in other
- * formats count from it; the library itself counts poses from 1.
- * V_ERR_NULL, V_ERR_HANDLE.
+ * formats count from it, this library from 1.
  */
 int v_path_set_first_frame(V_PATH *path,
                            int number);
 
-/**
- * Gets the number of the first pose in the user's film.
- * V_ERR_NULL, V_ERR_HANDLE.
- */
+/** Gets the number of the first pose. */
 int v_path_get_first_frame(const V_PATH *path, int *number);
 
 /**
- * Sets the object that is shown with a path, copied; NULL: none. The window draws its
- * lines and the edges of its triangles; if lines have more than 1,000,000 points in
- * all, only the points where they end or bend. v_path_check() uses the triangles.
- * V_ERR_NULL (path), V_ERR_SIZE, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE,
- * V_ERR_LIMIT, V_ERR_MEMORY.
+ * Sets the object shown with a path; NULL: none. The window draws its lines and the
+ * edges of its triangles; beyond 1,000,000 points of lines, only points where they end
+ * or bend. v_path_check() uses the triangles.
+ * V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_set_object(V_PATH *path,
                       const V_MESH *object);
 
 /**
- * Gets the object that is shown with a path, with its triangles if it has any; 0
- * points if there is no object. The arrays belong to the library and are valid until
- * the same thread's next call of this function or its end. Set mesh->size before.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_MEMORY.
+ * Gets the object shown with a path, 0 points without one. The arrays are valid until
+ * the same thread's next call of this function or its end.
+ * V_ERR_SIZE, V_ERR_MEMORY.
  */
 int v_path_get_object(const V_PATH *path,
                       V_MESH *mesh);
@@ -1462,26 +1337,23 @@ int v_path_get_object(const V_PATH *path,
 /* ---- Properties by name ------------------------------------------------------ */
 
 /**
- * Sets a property of a path by its name, like `vides set`, atomically and in one step.
+ * Sets a property of a path by its name, like `vides set`, atomically.
  *
- * name   a key of .vid files (docs/files.md), with points and orientations counted
- *     from 1: "closed", "fps", "point.2.position", "point.2.zoom" (of its first
- *     orientation), "point.2.view.3.zoom" and so on
+ * name  a key of .vid files (docs/files.md), points and orientations counted from 1:
+ *     "closed", "point.2.position", "point.2.zoom" (of its first orientation),
+ *     "point.2.view.3.zoom" and so on
  * value  as in the file: "30" or "[0, 1, 2]". Text needs no quotes; "" restores the
  *     value of a new path
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE (no such property, point or orientation),
- * V_ERR_ARGUMENT (not a value for it; the message names it), V_ERR_LIMIT,
- * V_ERR_MEMORY. If memory runs out while the value itself is parsed, the program ends.
+ * V_ERR_RANGE (no such property), V_ERR_ARGUMENT (not a value for it), V_ERR_LIMIT,
+ * V_ERR_MEMORY.
  */
 int v_path_set_property(V_PATH *path,
                         const char *name,
                         const char *value);
 
 /**
- * Gets the value of a property as written in a .vid file, "" if it has none; see
- * v_path_set_property(). The buffer works as in v_path_get_title().
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE (no such
- * property), V_ERR_MEMORY.
+ * Gets the value of a property as in a .vid file, "" if it has none.
+ * V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE (no such property), V_ERR_MEMORY.
  */
 int v_path_get_property(const V_PATH *path,
                         const char *name,
@@ -1493,74 +1365,59 @@ int v_path_get_property(const V_PATH *path,
 /* ---- Where a path lies ------------------------------------------------------- */
 
 /**
- * Sets the space of a path, a cube in your world; the path's coordinates do not
- * change.
+ * Sets the space of a path: a cube in your world; coordinates do not change.
  *
- * centre     (0, 0, 0) in a new path
+ * centre  (0, 0, 0) in a new path
  * half_size  half the length of its edge, 1e-30 to 1e30; 1 in a new path. Centre,
  *     points and targets are at most 1e9 times as far away
- * up         V_UP_Y, as in a new path, or V_UP_Z
+ * up  V_UP_Y, as in a new path, or V_UP_Z
  *
  * Positions, offsets, tangents and lengths of a path are in your world's units. Base
  * frames, limits (V_LIMITS, v_path_check()) and the distances below which nothing
- * moves are counted in units of half_size, so that they mean the same in metres and in
- * angstroms.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (a number that is not finite), V_ERR_RANGE.
+ * moves count in units of half_size.
+ * V_ERR_ARGUMENT, V_ERR_RANGE.
  */
 int v_path_set_space(V_PATH *path,
                      const double centre[3],
                      double half_size,
                      int up);
 
-/**
- * Gets the space of a path. Any result may be NULL.
- * V_ERR_NULL, V_ERR_HANDLE.
- */
+/** Gets the space. */
 int v_path_get_space(const V_PATH *path,
                      double centre[3],
                      double *half_size,
                      int *up);
 
-/**
- * Fills in a space: size, centre (0, 0, 0), half_size 1, V_UP_Y. NULL only sets
- * v_last_error(). In C, a macro of this name passes the struct's size on, as for
- * v_editor_options_init().
- */
+/** Fills in a space: centre (0, 0, 0), half_size 1, V_UP_Y. */
 void v_space_init(V_SPACE *space);
 
-/**
- * Like v_space_init(), for a struct of size bytes, see v_editor_options_init_sized().
- */
-void v_space_init_sized(V_SPACE *space,
-                        size_t size);
+/** Like v_space_init(), for a struct of size bytes. */
+void v_space_init_sized(V_SPACE *space, size_t size);
 
 /**
- * Makes a new path in a space, placed as the path of v_path_new() is in its own; the
- * same as in a new window with this space. NULL: like v_path_new(). Free *path with
- * v_path_free().
- * V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT (a number that is not finite), V_ERR_RANGE,
- * V_ERR_MEMORY, V_ERR_LIMIT.
+ * Makes a new path in a space, placed as that of v_path_new() is in its own, as in a
+ * new window with this space. NULL: like v_path_new().
+ * V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY, V_ERR_LIMIT.
  */
 int v_path_new_in_space(const V_SPACE *space,
                         V_PATH **path);
 
 /**
- * Changes the up axis of a path (V_UP_Y, V_UP_Z) without changing what the camera
- * sees: all poses stay the same, between frames too. Rolls are then measured from the
- * new axis. Views that track a target or look ahead get the old axis as their up, "y"
- * or "z" (v_path_set_up()); ups "y" or "z" that equal the new axis become "axis".
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
+ * Changes the up axis of a path (V_UP_Y, V_UP_Z) without changing any pose, between
+ * frames too. Rolls are then measured from the new axis. Views that track a target or
+ * look ahead get the old axis as their up, "y" or "z" (v_path_set_up()); one that
+ * equals the new axis becomes "axis".
+ * V_ERR_RANGE, V_ERR_MEMORY.
  */
 int v_path_change_up(V_PATH *path,
                      int up);
 
 /**
- * Makes an orientation look like the camera of a pose, such as your program's own.
- * Sets a relative target, the pose's vpn, and roll and zoom; everything else in
- * *orientation is unchanged, so call v_orientation_init() before. up is the up axis of
- * the path that it is for (V_UP_Y, V_UP_Z). vpn and vup may have any length but zero;
- * vup need not be perpendicular to vpn, but must not be parallel to it.
- * V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE (zoom, up).
+ * Makes an orientation look like the camera of a pose, for a path with this up axis
+ * (V_UP_Y, V_UP_Z): sets a relative target, the pose's vpn, and roll and zoom.
+ * Everything else in *orientation is unchanged: call v_orientation_init() before. vpn
+ * and vup have any length but 0 and are not parallel.
+ * V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE.
  */
 int v_orientation_from_pose(const V_POSE *pose,
                             int up,
@@ -1570,30 +1427,28 @@ int v_orientation_from_pose(const V_POSE *pose,
 /* ---- Kind of the curve, tangents --------------------------------------------- */
 
 /**
- * Sets how the curve leads through the points: "tcb" by tension, continuity
- * and bias (Kochanek and Bartels 1984; the default), "centripetal" and "chordal"
- * the same with regard to how far the points are apart (Yuksel et al. 2011: no
- * cusp or loop, and no way back, where points stand close), "cubic" as a cubic
- * spline with a continuous second derivative, "linear" straight. Tangents that points
- * own hold in each.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+ * Sets how the curve leads through the points. Custom tangents hold in each kind.
+ *
+ * kind  "tcb"          by tension, continuity and bias (Kochanek and Bartels 1984);
+ *                      the default
+ *       "centripetal"  the same, by the distances of the points (Yuksel et al. 2011): no
+ *                      way back where points are close, no cusp or loop
+ *       "chordal"      likewise, but a cusp or loop is possible
+ *       "cubic"        a cubic spline with a continuous second derivative
+ *       "linear"       straight
+ * V_ERR_RANGE.
  */
 int v_path_set_curve(V_PATH *path,
                      const char *kind);
 
-/**
- * How the curve leads through the points, see v_path_set_curve(). The text is
- * the library's and stays.
- * V_ERR_NULL, V_ERR_HANDLE.
- */
+/** Gets the kind of the curve; the text is constant. */
 int v_path_get_curve(const V_PATH *path, const char **kind);
 
 /**
- * Gives a point custom tangents: the derivatives with which the curve reaches it (before)
- * and leaves it (after), a segment counting 1. If both are NULL, the point uses the
- * tangents of the curve's kind again. Coordinates are limited as in
- * v_path_insert_point().
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE.
+ * Gives a point custom tangents: the derivatives with which the curve reaches it
+ * (before) and leaves it (after), a segment counting 1; if both are NULL, those of the
+ * curve's kind again. Coordinates as in v_path_insert_point().
+ * V_ERR_ARGUMENT, V_ERR_RANGE.
  */
 int v_path_set_tangents(V_PATH *path,
                         int at,
@@ -1601,10 +1456,10 @@ int v_path_set_tangents(V_PATH *path,
                         const double after[3]);
 
 /**
- * Gets the tangents of the curve at a point, and whether they are custom (1) or not (0).
- * At an end of an open path both are equal. Setting these tangents does not change the
- * curve, except for rounding in a cubic spline. Any result may be NULL.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+ * Gets the tangents of the curve at a point, equal at an end of an open path, and
+ * whether they are custom: 1 or 0. Setting them does not change the curve, except for
+ * rounding in a cubic spline.
+ * V_ERR_RANGE.
  */
 int v_path_get_tangents(const V_PATH *path,
                         int at,
@@ -1613,18 +1468,16 @@ int v_path_get_tangents(const V_PATH *path,
                         int *own);
 
 /**
- * Inserts a point on the curve where the camera is at a frame. The curve, every pose and
- * the number of frames do not change. The point gets the nearest whole frame within the
- * section; a section of one frame becomes two frames, split where you ask. To keep the
- * motion, the neighbouring points get custom tangents, and orientations a custom angular
- * velocity, custom slopes of zoom and roll, and a part of the old speed profile. Such
- * tangents are removed when their point or a neighbour moves alone;
- * v_path_set_tangents() makes them permanent.
+ * Inserts a point on the curve where the camera is at a frame, without changing the
+ * curve, any pose or the number of frames. It gets the nearest whole frame within the
+ * section; a section of one frame becomes two, split where you ask. Neighbouring
+ * points get custom tangents, and orientations a custom angular velocity, custom
+ * slopes of zoom and roll, and a part of the old speed profile. Such tangents are
+ * removed when their point or a neighbour moves alone; v_path_set_tangents() makes
+ * them permanent. *at receives its index; it may be NULL.
  *
- * frame  from 1 to the number of frames, not at a key and not in a pan; the
- *     orientation mode must not be V_ORIENTATION_BARRY_GOLDMAN
- * at     index of the new point; may be NULL
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ * frame  not at a key, not in a pan, not with V_ORIENTATION_BARRY_GOLDMAN
+ * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_insert_on_curve(V_PATH *path,
                            double frame,
@@ -1634,15 +1487,12 @@ int v_path_insert_on_curve(V_PATH *path,
 /* ---- Speed profile ----------------------------------------------------------- */
 
 /**
- * Gets distance and speed of an ease: speeding up, cruising and slowing down.
+ * Gets distance and speed of an ease at t, from 0 to 1: the fraction of the distance
+ * covered, 0 to 1, and its derivative.
  *
- * kind  V_EASE_SINE or V_EASE_PARABOLIC
+ * kind  V_EASE_...
  * rise, fall  fractions of the time for speeding up and slowing down, not negative,
  *     together at most 1
- * t     from 0 to 1
- * distance  fraction of the distance covered at t, 0 to 1
- * speed     its derivative
- * Any result may be NULL.
  * V_ERR_ARGUMENT, V_ERR_RANGE.
  */
 int v_ease(int kind,
@@ -1653,14 +1503,13 @@ int v_ease(int kind,
            double *speed);
 
 /**
- * Makes the section that begins with an orientation speed up, cruise and slow down,
- * instead of using its ten speeds or a distance curve.
+ * Makes a section speed up, cruise and slow down, instead of using the ten speeds of
+ * the orientation with which it begins (point, at) or a distance curve.
  *
- * kind  V_EASE_SINE, V_EASE_PARABOLIC, or -1: back to the ten speeds; the other values
- *     are ignored
- * rise, fall  fractions of the time, as in v_ease()
+ * kind  V_EASE_..., or -1: back to the ten speeds; the other values are ignored
+ * rise, fall  as in v_ease()
  * cruise  the cruising speed, 1 to 100
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
+ * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
  */
 int v_path_set_ease(V_PATH *path,
                     int point,
@@ -1671,9 +1520,8 @@ int v_path_set_ease(V_PATH *path,
                     double cruise);
 
 /**
- * Gets the ease of the section that begins with an orientation, see v_path_set_ease();
- * kind -1 and zeros if it has none. Any result may be NULL.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+ * Gets the ease of a section, see v_path_set_ease(); kind -1 and zeros if it has none.
+ * V_ERR_RANGE.
  */
 int v_path_get_ease(const V_PATH *path,
                     int point,
@@ -1684,14 +1532,13 @@ int v_path_get_ease(const V_PATH *path,
                     double *cruise);
 
 /**
- * Sets the distance curve of the section that begins with an orientation: distance as
- * a function of time, instead of its ten speeds or an ease. It runs smoothly through
- * the keys and never goes back.
+ * Sets the distance as a function of time in a section (point, at), instead of ten
+ * speeds or an ease. It runs smoothly through the keys and never goes back.
  *
- * time_way  pairs (fraction of the time, fraction of the distance), from 0, 0 to 1, 1,
- *     both increasing
- * keys      number of pairs, 2 to 32; 0: back to the ten speeds; time_way is ignored
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
+ * time_way  pairs (fraction of the time, of the distance), from 0, 0 to 1, 1, both
+ *     increasing
+ * keys  number of pairs, 2 to 32; 0: back to the ten speeds
+ * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
  */
 int v_path_set_distance(V_PATH *path,
                         int point,
@@ -1700,12 +1547,8 @@ int v_path_set_distance(V_PATH *path,
                         size_t keys);
 
 /**
- * Gets the distance curve of the section that begins with an orientation, see
- * v_path_set_distance(). *keys is the number of pairs, 0 if it has none. capacity is
- * the number of pairs that time_way has room for. If that is too small, only *keys is
- * written and the call fails with V_ERR_SIZE; with time_way NULL and capacity 0, only
- * *keys is written.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_SIZE.
+ * Gets the pairs of v_path_set_distance(), if any; capacity and *keys count pairs.
+ * V_ERR_RANGE, V_ERR_SIZE.
  */
 int v_path_get_distance(const V_PATH *path,
                         int point,
@@ -1718,10 +1561,10 @@ int v_path_get_distance(const V_PATH *path,
 /* ---- Fixed frames ------------------------------------------------------------ */
 
 /**
- * Fixes the number of frames of the section that begins with an orientation, whatever
- * its length; 0: it follows from the length again. A section in which nothing changes
- * always has 0 frames. The path may have at most 100000000 frames in all.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ * Fixes the number of frames of the section that begins with an orientation; 0: it
+ * follows from the length. A section in which nothing changes always has 0 frames. A
+ * path has at most 100000000.
+ * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_set_frames(V_PATH *path,
                       int point,
@@ -1729,19 +1572,15 @@ int v_path_set_frames(V_PATH *path,
                       size_t frames);
 
 /**
- * Gets the fixed frames of the section that begins with an orientation; 0: they follow
- * from the length.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+ * Gets the fixed frames of a section, see v_path_set_frames().
+ * V_ERR_RANGE.
  */
-int v_path_get_frames(const V_PATH *path,
-                      int point,
-                      int at,
-                      size_t *frames);
+int v_path_get_frames(const V_PATH *path, int point, int at, size_t *frames);
 
 /**
  * Sets whether v_path_fit_frames() keeps the frames of the section that begins with an
  * orientation (not 0) or not (0).
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
+ * V_ERR_RANGE, V_ERR_MEMORY.
  */
 int v_path_set_frames_locked(V_PATH *path,
                              int point,
@@ -1749,29 +1588,22 @@ int v_path_set_frames_locked(V_PATH *path,
                              int locked);
 
 /**
- * Gets whether the frames of a section are locked, see v_path_set_frames_locked(): 1
- * or 0.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+ * Gets whether the frames of a section are locked: 1 or 0.
+ * V_ERR_RANGE.
  */
-int v_path_get_frames_locked(const V_PATH *path,
-                             int point,
-                             int at,
-                             int *locked);
+int v_path_get_frames_locked(const V_PATH *path, int point, int at, int *locked);
 
 /**
- * Fixes the frames of all moving sections between two points, so that it takes
- * exactly frames from the first pose at first_point to the last pose at last_point,
- * holds included. With 0 and the last point, v_path_frame_count() is then exactly
- * frames; on a closed path that includes the way back to the first point. On a closed
- * path first_point may also be after last_point.
+ * Fixes the frames of all moving sections between two points, so that it takes exactly
+ * frames from the first pose at first_point to the last pose at last_point, holds
+ * included. 0 and the last point stand for the whole path, if closed with the way back
+ * to the first. On a closed path first_point may be after last_point.
  *
- * Frames are shared in proportion to those that sections have now (unrounded if they
+ * Sections share the frames in proportion to those they have now (unrounded if they
  * follow from the length), at least one each, by largest remainder; ties go to the
- * earlier section. Locked sections keep their frames. Frames fixed by an earlier call
- * count as they are; v_path_set_frames() with 0 makes them follow from the length
- * again. If frames is too small, the call fails and v_last_error() returns the
- * smallest possible number.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
+ * earlier section. Locked sections keep theirs. If frames is too small, v_last_error()
+ * returns the least.
+ * V_ERR_RANGE, V_ERR_MEMORY.
  */
 int v_path_fit_frames(V_PATH *path,
                       int first_point,
@@ -1782,32 +1614,28 @@ int v_path_fit_frames(V_PATH *path,
 /* ---- The curve --------------------------------------------------------------- */
 
 /**
- * Gets the length of the whole curve, in the units of the positions.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_MEMORY.
+ * Gets the length of the whole curve.
+ * V_ERR_MEMORY.
  */
 int v_path_length(const V_PATH *path, double *length);
 
 /**
  * Gets the length of a segment. Segment n leads from point n to the next; a closed
  * path has one more, from the last point to the first.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
+ * V_ERR_RANGE, V_ERR_MEMORY.
  */
 int v_path_segment_length(const V_PATH *path, int segment, double *length);
 
 /**
- * Gets the position on a segment at t from 0 to 1, the parameter of the spline (not of
- * its length).
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
+ * Gets the position on a segment at the spline's parameter t, 0 to 1.
+ * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
  */
-int v_path_curve_point(const V_PATH *path,
-                       int segment,
-                       double t,
-                       double xyz[3]);
+int v_path_curve_point(const V_PATH *path, int segment, double t, double xyz[3]);
 
 /**
- * Gets the position on a segment at the distance s from its start, measured along the
- * curve, from 0 to the length of the segment.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
+ * Gets the position on a segment at the distance s along the curve, from 0 to the
+ * segment's length.
+ * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
  */
 int v_path_point_at_length(const V_PATH *path,
                            int segment,
@@ -1818,10 +1646,10 @@ int v_path_point_at_length(const V_PATH *path,
 /* ---- Tools ------------------------------------------------------------------- */
 
 /**
- * Makes a path by a ready-made move, at 25 frames per second; all its sections have
- * one speed. parameters has the numbers in the order below, a position as three; those
- * after count have the defaults in parentheses. Headings are seen from the target: 0
- * is towards +z, 90 towards +x. Free *path with v_path_free().
+ * Makes a path by a ready-made move, at 25 frames per second and one speed. parameters
+ * has the numbers in the order below, a position as three; those after count have the
+ * defaults in parentheses. Headings are seen from the target: 0 is towards +z, 90
+ * towards +x.
  *
  * "orbit"  on a circle round a target
  *     around x y z (0), radius (1), height (0.4), from degrees (0), turns (1),
@@ -1851,7 +1679,7 @@ int v_path_point_at_length(const V_PATH *path,
  *     around x y z (0), radius (0.7), height (0.4), width (1.2),
  *     from degrees (0), zoom mm (24), seconds (10)
  *
- * V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_from_move(const char *move,
                      const double *parameters,
@@ -1859,12 +1687,10 @@ int v_path_from_move(const char *move,
                      V_PATH **path);
 
 /**
- * Like v_path_from_move(), in a space. With V_UP_Z, headings are towards +x (0) and +y
- * (90), and heights along z. Default lengths are multiplied by the half_size of the
- * space; default positions are its centre. Free *path with v_path_free().
- *
- * space   see v_space_init(); NULL: centre (0, 0, 0), half_size 1, V_UP_Y
- * V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ * Like v_path_from_move(), in a space; NULL: that of v_space_init(). With V_UP_Z,
+ * headings are towards +x (0) and +y (90), and heights along z. Default lengths are
+ * multiplied by half_size; default positions are the centre.
+ * V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_from_move_in_space(const char *move,
                               const double *parameters,
@@ -1873,14 +1699,13 @@ int v_path_from_move_in_space(const char *move,
                               V_PATH **path);
 
 /**
- * Moves, turns, scales and mirrors the points from first_point to last_point,
- * including their own tangents.
+ * Moves, turns, scales and mirrors the points from first_point to last_point, with
+ * their custom tangents.
  *
  * matrix  column by column, without shear; its last row is 0 0 0 1
- * with_targets  1: targets, views and rolls are transformed too; 0: absolute targets
- *     stay in place, relative ones keep their direction
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (shear, or a point would be at its own
- * target), V_ERR_RANGE, V_ERR_MEMORY.
+ * with_targets  1: with targets, views and rolls; 0: absolute targets stay in place,
+ *     relative ones keep their direction
+ * V_ERR_ARGUMENT (shear, or a point at its own target), V_ERR_RANGE, V_ERR_MEMORY.
  */
 int v_path_transform(V_PATH *path,
                      int first_point,
@@ -1889,12 +1714,10 @@ int v_path_transform(V_PATH *path,
                      int with_targets);
 
 /**
- * Deforms the points from first_point to last_point like v_deform(), including their
- * own tangents.
- *
- * box    NULL: the bounds of the points' positions
- * with_targets  1: their targets are deformed too; 0: they are unchanged
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ * Deforms the points from first_point to last_point like v_deform(), with their custom
+ * tangents, and with their targets (with_targets 1) or not (0). box NULL: the bounds
+ * of the points.
+ * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_deform(V_PATH *path,
                   int first_point,
@@ -1907,9 +1730,8 @@ int v_path_deform(V_PATH *path,
 
 /**
  * Copies the points from first_point to last_point into a new, open path with the same
- * curve. On a closed path first_point may be after last_point. Free *block with
- * v_path_free().
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY, V_ERR_LIMIT.
+ * curve. On a closed path first_point may be after last_point.
+ * V_ERR_RANGE, V_ERR_MEMORY, V_ERR_LIMIT.
  */
 int v_path_extract(const V_PATH *path,
                    int first_point,
@@ -1917,15 +1739,15 @@ int v_path_extract(const V_PATH *path,
                    V_PATH **block);
 
 /**
- * Inserts a copy of another path, block, after the point at index at. block may be the
- * same path. The block keeps its curve, with its targets, and so does the rest of the
- * path; where they join, both have the same direction.
+ * Inserts a copy of another path, block, which may be the same, after point at. The
+ * block keeps its curve and targets, the rest of the path its curve; where they join,
+ * both have the same direction.
  *
  * Except with V_FIT_NONE, the block's first point is merged with that point, which
- * keeps its views; with V_FIT_SCALE its last point is merged with the next point in
- * the same way. A closed block ends where it begins. Duplicate names get a number.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no direction, or no length to scale),
- * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ * keeps its views; with V_FIT_SCALE its last point likewise with the next one. A
+ * closed block ends where it begins. Duplicate names get a number.
+ * V_ERR_ARGUMENT (no direction, or no length to scale), V_ERR_RANGE, V_ERR_LIMIT,
+ * V_ERR_MEMORY.
  */
 int v_path_insert_path(V_PATH *path,
                        int at,
@@ -1933,29 +1755,26 @@ int v_path_insert_path(V_PATH *path,
                        int fit);
 
 /**
- * Reverses a path: the film shows the same poses in reverse order. Views that look
- * ahead then look ahead in the new direction.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_MEMORY.
+ * Reverses a path: the same poses in reverse order. Views that look ahead do so in the
+ * new direction.
+ * V_ERR_MEMORY.
  */
 int v_path_reverse(V_PATH *path);
 
 /**
- * Repeats a path count times. Each repetition begins where the last one ended, and its
- * targets move with it; a closed path is run through count times.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ * Repeats a path count times. Each repetition begins where the last one ended, with
+ * its targets; a closed path is run through count times.
+ * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
-int v_path_repeat(V_PATH *path,
-                  int count);
+int v_path_repeat(V_PATH *path, int count);
 
 /**
- * Makes the weighted sum of paths: positions, curve, targets, roll, zoom and speeds,
- * point by point. Paths with fewer points are first resampled by length to the largest
- * number of points. Fixed frames (rounded), angular velocities and slopes are blended
- * where every path has them. The rest comes from the path with the greatest
- * weight. Free *blend with v_path_free().
- *
- * weights  count numbers with the sum 1
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ * Makes the weighted sum of paths, point by point: positions, curve, targets, roll,
+ * zoom and speeds; also fixed frames (rounded), angular velocities and slopes that all
+ * paths have. Paths with fewer points are first resampled by length to the largest
+ * number. Everything else comes from the path with the greatest weight. The count
+ * weights have the sum 1.
+ * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_blend(V_PATH *const *paths,
                  const double *weights,
@@ -1966,19 +1785,16 @@ int v_path_blend(V_PATH *const *paths,
 /* ---- Sections and poses ------------------------------------------------------ */
 
 /**
- * Gets the number of sections of a path. A section leads from one orientation to the next,
- * at the same point or at the next one. Sections count from 0, in the order in which the
- * camera takes them.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_MEMORY.
+ * Gets the number of sections. A section leads from one orientation to the next, at
+ * the same point or at the next one, in the order in which the camera takes them.
+ * V_ERR_MEMORY.
  */
-int v_path_section_count(const V_PATH *path,
-                         int *count);
+int v_path_section_count(const V_PATH *path, int *count);
 
 /**
- * Gets the point and the orientation with which a section begins, its first frame, and its
- * number of frames, which is 0 if nothing changes in it. Frames of a hold at its end do
- * not count. Any result may be NULL.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ * Gets the point and orientation with which a section begins, its first frame, and its
+ * number of frames without a hold at its end; 0 if nothing changes in it.
+ * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_section_info(const V_PATH *path,
                         int section,
@@ -1988,16 +1804,14 @@ int v_path_section_info(const V_PATH *path,
                         size_t *frames);
 
 /**
- * Gets the number of frames of a path, at least 1. They count from 1.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_LIMIT, V_ERR_MEMORY.
+ * Gets the number of frames, at least 1.
+ * V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_frame_count(const V_PATH *path, size_t *frames);
 
 /**
- * Writes all poses of a path to your array of capacity elements, and their number to
- * *count. If capacity is too small, only *count is written and the call fails with
- * V_ERR_SIZE; with poses NULL and capacity 0, only *count is written.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY.
+ * Writes all poses to your array.
+ * V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_sample(const V_PATH *path,
                   V_POSE *poses,
@@ -2005,10 +1819,8 @@ int v_path_sample(const V_PATH *path,
                   size_t *count);
 
 /**
- * Writes count poses, beginning with frame first, to your array. They equal those of
- * v_path_sample(). Use it to take a long path in pieces.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE (first is 0, or there are fewer poses),
- * V_ERR_LIMIT, V_ERR_MEMORY.
+ * Writes count poses of v_path_sample(), from frame first on, to your array.
+ * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_sample_range(const V_PATH *path,
                         size_t first,
@@ -2016,19 +1828,18 @@ int v_path_sample_range(const V_PATH *path,
                         V_POSE *poses);
 
 /**
- * Gets the pose at a frame, from 1 to v_path_frame_count(), also between two frames
- * (1.5). At a whole frame it equals that of v_path_sample() bit for bit.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ * Gets the pose at a frame. At a whole frame it equals that of v_path_sample() bit for
+ * bit.
+ * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
-int v_path_pose(const V_PATH *path, double frame, V_POSE *pose);
+int v_path_pose(const V_PATH *path,
+                double frame,
+                V_POSE *pose);
 
 /**
- * Gets the poses at count frames, as v_path_pose() does for one. Frames may have any
- * order; ascending frames are fastest.
- *
- * frames  each from 1 to v_path_frame_count()
- * poses   space for count poses; must not overlap frames
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ * Gets the poses at count frames, as v_path_pose() does, in any order; ascending ones
+ * are fastest. poses must not overlap frames.
+ * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_poses_at(const V_PATH *path,
                     const double *frames,
@@ -2036,32 +1847,27 @@ int v_path_poses_at(const V_PATH *path,
                     V_POSE *poses);
 
 /**
- * Makes a list of all poses as in 1994, see V_KAMERAPAR: zooms are whole numbers, 100 for
- * any larger zoom. first is your element and becomes the first; set its number before, to
- * -1 if there is no data yet. A list that VIDES made there before is freed when the new
- * one is complete; any other list is forgotten but not freed. If the call fails, the old
- * list is unchanged.
- * Any thread, if no other uses the list meanwhile; from callbacks too.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_LIMIT, V_ERR_MEMORY.
+ * Makes a list of all poses, see V_KAMERAPAR. first is your element; set its number
+ * before, to -1 if there is no data yet. A list that VIDES made there before is freed
+ * when the new one is complete, and unchanged if the call fails; any other is
+ * forgotten but not freed. No other thread may use the list meanwhile.
+ * V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_to_list(const V_PATH *path,
                    V_KAMERAPAR *first);
 
 /**
- * Writes all poses of a path to a text file, one line each: VRP, VPN, VUP (x, y and z
- * each) and zoom, as C prints them by "%3.4f", separated by one space. The decimal sign is
- * a point in every locale, and minus zero is written as zero. The file is replaced
- * atomically.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO, V_ERR_LIMIT, V_ERR_MEMORY. If memory runs out
- * while the file is opened or written, the program may end; the old file is unchanged.
+ * Writes all poses to a text file, replaced atomically, one line each: VRP, VPN, VUP
+ * (x, y and z each) and zoom, as C prints them by "%3.4f", separated by one space. The
+ * decimal sign is always a point; minus zero is written as zero.
+ * V_ERR_IO, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_write_ascii(const V_PATH *path,
                        const char *file);
 
 /**
- * Writes the lines of v_path_write_ascii() to memory, zero-terminated. The buffer works
- * as in v_path_get_title().
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY.
+ * Gets the text that v_path_write_ascii() would write.
+ * V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_write_ascii_to_memory(const V_PATH *path,
                                  char *text,
@@ -2072,32 +1878,26 @@ int v_path_write_ascii_to_memory(const V_PATH *path,
 /* ---- Time and motion --------------------------------------------------------- */
 
 /**
- * Gets the frame that is shown at a time: 1 + seconds * fps (v_path_set_fps()), which
- * may lie between two whole frames. The last pose is at (v_path_frame_count() - 1) / fps
- * seconds; other times are out of range. For the time of a whole frame from
- * v_path_seconds_at_frame(), the result is exactly that frame.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ * Gets the frame that is shown at a time from 0 to (v_path_frame_count() - 1) / fps: 1
+ * + seconds * fps. For the time of a whole frame from v_path_seconds_at_frame(), it is
+ * exactly that frame.
+ * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_frame_at_seconds(const V_PATH *path,
                             double seconds,
                             double *frame);
 
 /**
- * Gets the time in seconds at which a frame is shown: (frame - 1) / fps, see
- * v_path_frame_at_seconds().
- *
- * frame  from 1 to v_path_frame_count(), also between two whole frames
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ * Gets the seconds at which a frame is shown: (frame - 1) / fps.
+ * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_seconds_at_frame(const V_PATH *path, double frame, double *seconds);
 
 /**
  * Gets the motion of the camera at a frame: lengths in the units of the positions,
  * seconds by v_path_set_fps(). At a key it is the motion after the key; at the last
- * frame, the motion before it. Set motion->size before.
- *
- * frame  from 1 to v_path_frame_count(), also between two whole frames
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ * frame, before it.
+ * V_ERR_SIZE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_motion(const V_PATH *path, double frame, V_MOTION *motion);
 
@@ -2105,53 +1905,43 @@ int v_path_motion(const V_PATH *path, double frame, V_MOTION *motion);
 /* ---- Scenes: made, loaded, saved, freed -------------------------------------- */
 
 /**
- * Fills in a node of this kind at the origin: size, visible, scale 1, rotation 1 0 0
- * 0, no parent, no aim, zoom 24, white, intensity 1, a cone of 20 and 30 degrees,
- * planes at 0.01 and 1000. An unknown kind is refused only where the node is used.
- * NULL only sets v_last_error().
+ * Fills in a node of this kind at the origin: visible, scale 1, rotation 1 0 0 0, no
+ * parent, no aim, zoom 24, white, intensity 1, a cone of 20 and 30 degrees, planes at
+ * 0.01 and 1000. An unknown kind is refused only where the node is used.
  */
 void v_node_init(V_NODE *node,
                  int kind);
 
 /**
  * Makes a new scene: one camera, "camera", on the path of v_path_new(), starting at
- * frame 1. Free *scene with v_scene_free(). For a scene in a space of your world, call
- * v_scene_set_space(), then v_scene_set_path() for node 0 with a path of
- * v_path_new_in_space().
- * V_ERR_NULL, V_ERR_MEMORY, V_ERR_LIMIT.
+ * frame 1. For a space of your world, call v_scene_set_space(), then
+ * v_scene_set_path() for node 0 with a path of v_path_new_in_space().
+ * V_ERR_MEMORY, V_ERR_LIMIT.
  */
 int v_scene_new(V_SCENE **scene);
 
 /**
- * Reads a scene from a .vid file; a file with only a path gives a camera on it. file
- * is a name as for open(). Free *scene with v_scene_free().
+ * Reads a scene from a .vid file; one with only a path gives a camera on it.
  *
  * An object is left empty if its mesh is in a separate file that is missing or
- * malformed, or outside the folder of the .vid file once links are followed; a mesh
- * file that has changed is read as it is. In these cases the call still returns V_OK,
- * and v_last_warning() reports them; "" if all meshes are unchanged.
- * v_scene_load_geometry() reads a mesh from anywhere.
- * V_ERR_NULL, V_ERR_IO, V_ERR_FORMAT (with line and reason in v_last_error()),
- * V_ERR_MEMORY (but see v_path_load()), V_ERR_LIMIT.
+ * malformed, or outside the folder of the .vid file once links are followed
+ * (v_scene_load_geometry() reads it from anywhere); a mesh file that has changed is
+ * read as it is. v_last_warning() reports this, or returns "".
+ * V_ERR_IO, V_ERR_FORMAT, V_ERR_MEMORY, V_ERR_LIMIT.
  */
-int v_scene_load(const char *file,
-                 V_SCENE **scene);
+int v_scene_load(const char *file, V_SCENE **scene);
 
 /**
- * Reads a scene from the text of a .vid file in memory, like v_scene_load(). text has
- * size bytes of UTF-8 and need not be zero-terminated. Mesh files with relative names
- * are looked up in the current directory. Free *scene with v_scene_free().
- * V_ERR_NULL, V_ERR_FORMAT (with line and reason in v_last_error()), V_ERR_MEMORY (but
- * see v_path_load()), V_ERR_LIMIT.
+ * Like v_scene_load(), from the text of a .vid file: size bytes, which need not be
+ * zero-terminated. Relative names of mesh files are looked up in the current
+ * directory.
+ * V_ERR_FORMAT, V_ERR_MEMORY, V_ERR_LIMIT.
  */
-int v_scene_load_from_memory(const char *text,
-                             size_t size,
-                             V_SCENE **scene);
+int v_scene_load_from_memory(const char *text, size_t size, V_SCENE **scene);
 
 /**
- * Gets the text of the .vid file of a scene, like v_path_save_to_memory(). The names
- * of mesh files are unchanged.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_BUSY, V_ERR_LIMIT, V_ERR_MEMORY.
+ * Gets the text of the .vid file of a scene. The names of mesh files are unchanged.
+ * V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_scene_save_to_memory(const V_SCENE *scene,
                            char *text,
@@ -2159,38 +1949,34 @@ int v_scene_save_to_memory(const V_SCENE *scene,
                            size_t *length);
 
 /**
- * Saves a scene to a .vid file, atomically like v_path_save().
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO, V_ERR_BUSY, V_ERR_LIMIT, V_ERR_MEMORY (but see
- * v_path_save()).
+ * Saves a scene, like v_path_save().
+ * V_ERR_IO, V_ERR_LIMIT, V_ERR_MEMORY.
  */
-int v_scene_save(const V_SCENE *scene,
-                 const char *file);
+int v_scene_save(const V_SCENE *scene, const char *file);
 
 /**
  * Makes an independent copy of a scene. Both share geometry until one of them changes
- * it. Free *copy with v_scene_free().
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY, V_ERR_MEMORY, V_ERR_LIMIT.
+ * it.
+ * V_ERR_MEMORY, V_ERR_LIMIT.
  */
 int v_scene_clone(const V_SCENE *scene,
                   V_SCENE **copy);
 
-/** Frees a scene, like v_path_free(). NULL is ignored. */
+/** Frees a scene, like v_path_free(). */
 void v_scene_free(V_SCENE *scene);
 
 
 /* ---- Nodes ------------------------------------------------------------------- */
 
 /**
- * Gets the number of nodes in a scene.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
+ * Gets the number of nodes.
  */
 int v_scene_node_count(const V_SCENE *scene, int *count);
 
 /**
  * Adds a node after the others. *node receives its number; it may be NULL. name is
- * unique in its scene: UTF-8, one line, not empty.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT,
- * V_ERR_BUSY, V_ERR_MEMORY.
+ * unique in its scene, one line, not empty.
+ * V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_scene_add_node(V_SCENE *scene,
                      const char *name,
@@ -2199,49 +1985,44 @@ int v_scene_add_node(V_SCENE *scene,
 
 /**
  * Removes a node with all its descendants. The numbers of later nodes decrease; nodes
- * that aimed at a removed one no longer aim. Removing many nodes in a row costs no
- * more than removing one; you may read the number of nodes, names and nodes in
- * between.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY, V_ERR_MEMORY.
+ * that aimed at a removed one no longer aim. Removing many in a row costs as much as
+ * one, even if you read nodes, their names and number in between.
+ * V_ERR_RANGE, V_ERR_MEMORY.
  */
 int v_scene_remove_node(V_SCENE *scene,
                         int node);
 
 /**
  * Gets the number of the node with this name.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no such node), V_ERR_BUSY.
+ * V_ERR_ARGUMENT (no such node).
  */
 int v_scene_find_node(const V_SCENE *scene, const char *name, int *node);
 
 /**
- * Gets the name of a node. The text belongs to the library and is valid until the same
- * thread's next call of a function that returns a text of a scene.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
+ * Gets the name of a node.
+ * V_ERR_RANGE.
  */
-int v_scene_get_name(const V_SCENE *scene,
-                     int node,
-                     const char **name);
+int v_scene_get_name(const V_SCENE *scene, int node, const char **name);
 
 /**
  * Renames a node, see v_scene_add_node().
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
- * V_ERR_MEMORY.
+ * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_scene_set_name(V_SCENE *scene, int node, const char *name);
 
 /**
- * Gets a node at rest. Set values->size before.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_RANGE, V_ERR_BUSY.
+ * Gets a node at rest.
+ * V_ERR_SIZE, V_ERR_RANGE.
  */
 int v_scene_get_node(const V_SCENE *scene, int node, V_NODE *values);
 
 /**
  * Sets the values of a node; its kind does not change. If the parent changes,
- * position, rotation and scale are read relative to the old parent and converted, so
- * that the node keeps its place in the world at the scene's first frame. A node that
- * moves can only change to a parent in the same place as the old one.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT (such as a cycle), V_ERR_RANGE,
- * V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+ * position, rotation and scale are relative to the old one: the node keeps its place
+ * in the world at the scene's first frame. A node that moves can only change to a
+ * parent in the same place as the old one.
+ * V_ERR_SIZE, V_ERR_ARGUMENT (such as a cycle), V_ERR_RANGE, V_ERR_LIMIT,
+ * V_ERR_MEMORY.
  */
 int v_scene_set_node(V_SCENE *scene,
                      int node,
@@ -2251,14 +2032,12 @@ int v_scene_set_node(V_SCENE *scene,
 /* ---- What moves a node ------------------------------------------------------- */
 
 /**
- * Makes a node follow a path, which is copied; NULL: no path. Pose n of the path is
- * shown at the scene's frame start_frame + n - 1. A path moves position, rotation and
- * zoom, in the parent's coordinates; a node with a track for one of them cannot have a
- * path.
+ * Makes a node follow a path; NULL: none. Pose n is shown at the scene's frame
+ * start_frame + n - 1. The path moves position, rotation and zoom in the parent's
+ * coordinates; a node with a track for one of them cannot have a path.
  *
- * after  V_AFTER_HOLD, V_AFTER_REPEAT or V_AFTER_PINGPONG; applies before the path too
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
- * V_ERR_MEMORY.
+ * after  V_AFTER_HOLD, V_AFTER_REPEAT or V_AFTER_PINGPONG; before the path, too
+ * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_scene_set_path(V_SCENE *scene,
                      int node,
@@ -2267,25 +2046,21 @@ int v_scene_set_path(V_SCENE *scene,
                      int after);
 
 /**
- * Gets a copy of the path that a node follows. Free *path with v_path_free().
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (it follows none), V_ERR_RANGE,
- * V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+ * Gets a copy of the path that a node follows.
+ * V_ERR_ARGUMENT (it follows none), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_scene_get_path(const V_SCENE *scene, int node, V_PATH **path);
 
 /**
- * Sets a marker at a frame, or moves the marker of this name (UTF-8, one line, not
- * empty).
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
- * V_ERR_MEMORY.
+ * Sets a marker at a frame, or moves the one of this name (one line, not empty).
+ * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_scene_set_marker(V_SCENE *scene, const char *name, double frame);
 
 /**
  * Pins a point of a node's path to a marker; NULL removes the pin. Pins hold when the
  * path changes, and are saved.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
- * V_ERR_MEMORY.
+ * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_scene_pin(V_SCENE *scene,
                 int node,
@@ -2293,21 +2068,16 @@ int v_scene_pin(V_SCENE *scene,
                 const char *marker);
 
 /**
- * Sets the space of a scene, like v_path_set_space(); up applies to nodes that aim at
- * others. The values of its nodes do not change. A path in the scene has its own
- * space.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY, V_ERR_ARGUMENT (a number that is not finite),
- * V_ERR_RANGE.
+ * Sets the space, like v_path_set_space(); up applies to nodes that aim at others.
+ * Values of nodes do not change; a path in the scene has its own space.
+ * V_ERR_ARGUMENT, V_ERR_RANGE.
  */
 int v_scene_set_space(V_SCENE *scene,
                       const double centre[3],
                       double half_size,
                       int up);
 
-/**
- * Gets the space of a scene. Any result may be NULL.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
- */
+/** Gets the space. */
 int v_scene_get_space(const V_SCENE *scene,
                       double centre[3],
                       double *half_size,
@@ -2317,14 +2087,14 @@ int v_scene_get_space(const V_SCENE *scene,
 /* ---- What a scene is called -------------------------------------------------- */
 
 /**
- * Sets the title of a scene, like v_path_set_title().
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+ * Sets the title, like v_path_set_title().
+ * V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_scene_set_title(V_SCENE *scene, const char *title);
 
 /**
- * Gets the title of a scene, like v_path_get_title().
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_BUSY.
+ * Gets the title.
+ * V_ERR_SIZE.
  */
 int v_scene_get_title(const V_SCENE *scene,
                       char *title,
@@ -2332,14 +2102,14 @@ int v_scene_get_title(const V_SCENE *scene,
                       size_t *length);
 
 /**
- * Sets the comment of a scene, like v_path_set_comment().
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+ * Sets the comment, like v_path_set_comment().
+ * V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_scene_set_comment(V_SCENE *scene, const char *comment);
 
 /**
- * Gets the comment of a scene, like v_path_get_comment().
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_BUSY.
+ * Gets the comment.
+ * V_ERR_SIZE.
  */
 int v_scene_get_comment(const V_SCENE *scene,
                         char *comment,
@@ -2347,41 +2117,33 @@ int v_scene_get_comment(const V_SCENE *scene,
                         size_t *length);
 
 /**
- * Sets the frame rate in frames per second, > 0 and at most 100000, by default 25.
- * Positions at frames do not change.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
+ * Sets the frame rate, like v_path_set_fps(). Positions at frames do not change.
+ * V_ERR_RANGE.
  */
 int v_scene_set_fps(V_SCENE *scene, double fps);
 
-/**
- * Gets the frame rate in frames per second.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
- */
+/** Gets the frame rate. */
 int v_scene_get_fps(const V_SCENE *scene, double *fps);
 
 /**
- * Sets the number shown to users for the scene's frame 1, by default 1. The functions
- * of this library always use the scene's own frames.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
+ * Sets the number shown to users for frame 1, by default 1. This library always uses
+ * the scene's own frames.
  */
 int v_scene_set_first_frame(V_SCENE *scene,
                             int number);
 
-/**
- * Gets the number shown to users for the scene's frame 1.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
- */
+/** Gets the number shown to users for frame 1. */
 int v_scene_get_first_frame(const V_SCENE *scene, int *number);
 
 /**
- * Sets the limit of a kind of finding, like v_path_set_limit().
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no such kind), V_ERR_RANGE, V_ERR_BUSY.
+ * Sets the limit of a finding, like v_path_set_limit().
+ * V_ERR_ARGUMENT (no such kind), V_ERR_RANGE.
  */
 int v_scene_set_limit(V_SCENE *scene, const char *kind, double limit);
 
 /**
- * Gets the limit of a kind of finding, like v_path_get_limit().
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_BUSY.
+ * Gets the limit of a finding.
+ * V_ERR_ARGUMENT (no such kind).
  */
 int v_scene_get_limit(const V_SCENE *scene, const char *kind, double *limit);
 
@@ -2389,26 +2151,20 @@ int v_scene_get_limit(const V_SCENE *scene, const char *kind, double *limit);
 /* ---- What is shown of a scene ------------------------------------------------ */
 
 /**
- * Sets the camera that is shown; -1: the first one on a path, or the first one if none
- * is. The choice follows the node when numbers change, is removed with it, and is
- * saved in the file.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no camera), V_ERR_RANGE, V_ERR_BUSY.
+ * Sets the camera that is shown; -1: the first one on a path, else the first one. The
+ * choice follows the node, is removed with it, and is saved.
+ * V_ERR_ARGUMENT (no camera), V_ERR_RANGE.
  */
 int v_scene_set_camera(V_SCENE *scene,
                        int node);
 
-/**
- * Gets the camera that is shown; -1 if the scene has none.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
- */
+/** Gets the camera that is shown; -1: none. */
 int v_scene_get_camera(const V_SCENE *scene, int *node);
 
 /**
- * Sets the first and last frame of a scene; if first > last, they follow from all
- * paths and keys. v_scene_frame_range() gets the range in effect. It is saved in the
- * file.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (a number that is not finite), V_ERR_RANGE,
- * V_ERR_LIMIT (more than 100000000 frames), V_ERR_BUSY.
+ * Sets the first and last frame; if first > last, they follow from all paths and keys.
+ * They are saved.
+ * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT (more than 100000000 frames).
  */
 int v_scene_set_range(V_SCENE *scene,
                       double first,
@@ -2417,11 +2173,10 @@ int v_scene_set_range(V_SCENE *scene,
 /**
  * Sets the parent of a node; -1: no parent.
  *
- * keep  V_KEEP_PLACE: it keeps its place in the world at the scene's first frame, as
- *     in v_scene_set_node(). V_KEEP_NUMBERS: its values, path and tracks are
- *     unchanged, and it moves with its new parent
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (such as a cycle), V_ERR_RANGE,
- * V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+ * keep  V_KEEP_PLACE: its place in the world at the scene's first frame, as in
+ *     v_scene_set_node(). V_KEEP_NUMBERS: its values, path and tracks; it moves with
+ *     its new parent
+ * V_ERR_ARGUMENT (such as a cycle), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_scene_set_parent(V_SCENE *scene,
                        int node,
@@ -2435,23 +2190,21 @@ int v_scene_set_parent(V_SCENE *scene,
  * Sets the keys of a channel, replacing older ones; 0 keys remove the track.
  *
  * channel  "position", "rotation" (w x y z), "scale", "visible" (0 or 1); for cameras
- *     "roll" (degrees) and, unless they follow a path, which has its own, "zoom" (mm,
- *     as in V_POSE); for lights "colour", "intensity", "cone"; for objects "colour",
- *     "weights" (one per shape) and "deformation.N.NAME" (N from 0; NAME as listed for
- *     v_deform()); for cameras and lights "aim_weight" (0 to 1); and "value:NAME" or
- *     "value:NAME:W", W numbers (1 to 16) for your own use
+ *     "roll" (degrees) and, unless they follow a path, "zoom" (mm); for lights
+ *     "colour", "intensity", "cone"; for objects "colour", "weights" (one per shape)
+ *     and "deformation.N.NAME" (N from 0; NAME of v_deform()); for cameras and lights
+ *     "aim_weight" (0 to 1); for your own use "value:NAME" or "value:NAME:W" with W
+ *     numbers (1 to 16)
  * interpolation  "step", "linear", "ramp", "sine", "parabolic", "catmull-rom",
  *     "hermite", "tcb", "cubic" (not for rotations), "host:NAME"; for rotations also
- *     "euler-linear" and "euler-catmull-rom", with three numbers per key: yaw, pitch
- *     and roll in degrees. "visible" takes only "step"
+ *     "euler-linear" and "euler-catmull-rom", with yaw, pitch and roll in degrees per
+ *     key. "visible" takes only "step"
  * frames  strictly increasing
  * values  keys x width numbers, key by key
- * shape   "hermite": the tangents before and after each key (2 x width, per frame);
+ * shape  "hermite": the tangents before and after each key (2 x width, per frame);
  *     "tcb": tension, continuity and bias of each key; otherwise NULL
- * after   how it continues after the last key, V_AFTER_..., optionally | V_BEFORE_...
- *     for before the first one
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
- * V_ERR_MEMORY.
+ * after  V_AFTER_..., optionally | V_BEFORE_...
+ * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_scene_set_track(V_SCENE *scene,
                       int node,
@@ -2465,11 +2218,8 @@ int v_scene_set_track(V_SCENE *scene,
 
 /**
  * Gets the keys of a channel as set. *keys receives their number, 0 if there is no
- * track (*interpolation is then ""). capacity is the number of keys that frames,
- * values and shape have room for. Any result may be NULL; the text is valid as for
- * v_scene_get_name().
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_SIZE (more
- * keys than room), V_ERR_BUSY.
+ * track (*interpolation is then ""). capacity counts keys. Any result may be NULL.
+ * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_SIZE.
  */
 int v_scene_get_track(const V_SCENE *scene,
                       int node,
@@ -2484,10 +2234,10 @@ int v_scene_get_track(const V_SCENE *scene,
 
 /**
  * Registers a function as the interpolation "host:NAME" for all scenes of the process,
- * replacing an older one; NULL removes it. name is NAME, with or without "host:". The
- * function is called on any thread that evaluates a scene. It must not use scenes
- * itself, and must return to its caller: no longjmp() and no exception may leave it.
- * V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_MEMORY.
+ * replacing an older one; NULL removes it. name is NAME, with or without "host:". Any
+ * thread that evaluates a scene calls it. It must not use scenes, and no longjmp() and
+ * no exception may leave it.
+ * V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_register_interpolation(const char *name,
                              V_INTERPOLATE function,
@@ -2497,31 +2247,29 @@ int v_register_interpolation(const char *name,
 /* ---- Objects ----------------------------------------------------------------- */
 
 /**
- * Sets the geometry of an object; the mesh is copied. If the object has shapes, the
- * mesh must have as many points as they have.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT,
- * V_ERR_BUSY, V_ERR_MEMORY.
+ * Sets the geometry of an object. If the object has shapes, the mesh must have as many
+ * points as they have.
+ * V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
-int v_scene_set_geometry(V_SCENE *scene, int node, const V_MESH *mesh);
+int v_scene_set_geometry(V_SCENE *scene,
+                         int node,
+                         const V_MESH *mesh);
 
 /**
- * Reads the geometry of an object from an OBJ, PLY, STL or glTF file, by the extension
- * of its name. A saved .vid file then refers to that file instead of containing the
- * points, by a relative name if the file is in the same folder or below;
- * v_scene_load() reads it again.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO, V_ERR_FORMAT, V_ERR_ARGUMENT, V_ERR_RANGE,
- * V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+ * Reads the geometry of an object from an OBJ, PLY, STL or glTF file, by its
+ * extension. A saved .vid file refers to that file instead of containing the points,
+ * by a relative name if it is in the same folder or below.
+ * V_ERR_IO, V_ERR_FORMAT, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_scene_load_geometry(V_SCENE *scene,
                           int node,
                           const char *file);
 
 /**
- * Adds a shape to an object: other positions for all its points. Its weight is 0 at
- * first; the channel "weights" has one number per shape, and the mesh itself gets the
+ * Adds a shape to an object: other positions for all its points, with weight 0 at
+ * first. The channel "weights" has one number per shape; the mesh itself gets the
  * remainder to 1.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
- * V_ERR_MEMORY.
+ * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_scene_add_shape(V_SCENE *scene,
                       int node,
@@ -2532,8 +2280,7 @@ int v_scene_add_shape(V_SCENE *scene,
 /**
  * Adds a deformation (see v_deform()) to an object, after the others. *at receives its
  * number and may be NULL. box NULL: the bounds of the geometry at rest.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
- * V_ERR_MEMORY.
+ * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_scene_add_deformation(V_SCENE *scene,
                             int node,
@@ -2546,7 +2293,7 @@ int v_scene_add_deformation(V_SCENE *scene,
 /**
  * Removes a deformation with its tracks. The numbers of later deformations decrease,
  * in the names of channels too.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_BUSY, V_ERR_MEMORY.
+ * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
  */
 int v_scene_remove_deformation(V_SCENE *scene,
                                int node,
@@ -2554,10 +2301,9 @@ int v_scene_remove_deformation(V_SCENE *scene,
 
 /**
  * Deforms points in place. u, v, w run from -1 to 1 along the sides of the box (min x
- * y z, max x y z); along a side of length 0 the coordinate is 0 and points do not
- * move. Axes are 0, 1, 2. Angles are degrees in u, v, w: in a box that is not a cube,
- * rotations are stretched with the box. The names in parentheses are those that tracks
- * can animate, see v_scene_set_track().
+ * y z, max x y z); along a side of length 0 they are 0 and points do not move. Axes
+ * are 0, 1, 2. Angles are degrees in u, v, w: in a box that is not a cube, rotations
+ * are stretched with it. Tracks can animate the names in parentheses.
  *
  * "taper"      axis a (a): the other two times 1 + (a-1)(1-u^2)
  * "taper"      axis r0 r1 (r0 r1): from r0 at one end to r1 at the other
@@ -2569,7 +2315,7 @@ int v_scene_remove_deformation(V_SCENE *scene,
  *              the first index fastest; (-1, -1, -1), (-1/3, -1, -1) ... is the
  *              identity. Points outside the box do not move
  *
- * V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_deform(const char *kind,
              const double *parameters,
@@ -2582,9 +2328,8 @@ int v_deform(const char *kind,
 /* ---- What has been set in a scene -------------------------------------------- */
 
 /**
- * Gets the frame at which a node's path starts, and how it continues before and after,
- * see v_scene_set_path(). Any result may be NULL.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (it follows none), V_ERR_RANGE, V_ERR_BUSY.
+ * Gets start_frame and after of a node's path, see v_scene_set_path().
+ * V_ERR_ARGUMENT (it follows none), V_ERR_RANGE.
  */
 int v_scene_get_start(const V_SCENE *scene,
                       int node,
@@ -2593,30 +2338,25 @@ int v_scene_get_start(const V_SCENE *scene,
 
 /**
  * Gets the number of tracks of a node.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
+ * V_ERR_RANGE.
  */
 int v_scene_track_count(const V_SCENE *scene, int node, int *count);
 
 /**
- * Gets the channel of a node's track, for v_scene_get_track(); at counts from 0. The
- * text is valid as for v_scene_get_name().
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
+ * Gets the channel of a node's track, for v_scene_get_track().
+ * V_ERR_RANGE.
  */
 int v_scene_get_channel(const V_SCENE *scene,
                         int node,
                         int at,
                         const char **channel);
 
-/**
- * Gets the number of markers in a scene.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
- */
+/** Gets the number of markers. */
 int v_scene_marker_count(const V_SCENE *scene, int *count);
 
 /**
- * Gets a marker; markers are sorted by name and count from 0. Any result may be NULL;
- * the text is valid as for v_scene_get_name().
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
+ * Gets a marker; they are sorted by name.
+ * V_ERR_RANGE.
  */
 int v_scene_get_marker(const V_SCENE *scene,
                        int at,
@@ -2625,20 +2365,16 @@ int v_scene_get_marker(const V_SCENE *scene,
 
 /**
  * Removes a marker and its pins.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no such marker), V_ERR_BUSY.
+ * V_ERR_ARGUMENT (no such marker).
  */
 int v_scene_remove_marker(V_SCENE *scene, const char *name);
 
-/**
- * Gets the number of points that are pinned to markers.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
- */
+/** Gets the number of points that are pinned to markers. */
 int v_scene_pin_count(const V_SCENE *scene, int *count);
 
 /**
- * Gets a pin as set by v_scene_pin(); pins are sorted by node and point and count from
- * 0. Any result may be NULL; the text is valid as for v_scene_get_name().
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
+ * Gets a pin of v_scene_pin(); they are sorted by node and point.
+ * V_ERR_RANGE.
  */
 int v_scene_get_pin(const V_SCENE *scene,
                     int at,
@@ -2647,28 +2383,22 @@ int v_scene_get_pin(const V_SCENE *scene,
                     const char **marker);
 
 /**
- * Gets the geometry of an object at rest, as set or read from a file; 0 points if it
- * has none. The arrays belong to the library and are valid until the scene is changed
- * or freed. Set mesh->size before.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT (no object), V_ERR_RANGE,
- * V_ERR_BUSY.
+ * Gets the geometry of an object at rest; 0 points if it has none. The arrays are
+ * valid until the scene is changed or freed.
+ * V_ERR_SIZE, V_ERR_ARGUMENT (no object), V_ERR_RANGE.
  */
-int v_scene_get_geometry(const V_SCENE *scene,
-                         int node,
-                         V_MESH *mesh);
+int v_scene_get_geometry(const V_SCENE *scene, int node, V_MESH *mesh);
 
 /**
  * Gets the number of shapes of an object.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no object), V_ERR_RANGE, V_ERR_BUSY.
+ * V_ERR_ARGUMENT (no object), V_ERR_RANGE.
  */
 int v_scene_shape_count(const V_SCENE *scene, int node, int *count);
 
 /**
- * Gets the name and the points of an object's shape; shapes count from 0. xyz receives
- * three numbers per point; capacity and *points count points. Any result may be NULL;
- * the text is valid as for v_scene_get_name().
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (more points than room; *points is written),
- * V_ERR_ARGUMENT (no object), V_ERR_RANGE, V_ERR_BUSY.
+ * Gets the name and the points of an object's shape: three numbers per point; capacity
+ * and *points count points. Any result may be NULL.
+ * V_ERR_SIZE, V_ERR_ARGUMENT (no object), V_ERR_RANGE.
  */
 int v_scene_get_shape(const V_SCENE *scene,
                       int node,
@@ -2679,10 +2409,9 @@ int v_scene_get_shape(const V_SCENE *scene,
                       size_t *points);
 
 /**
- * Removes a shape of an object. The numbers of later shapes decrease; all other shapes
- * keep their weights, also in a track of the channel "weights".
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no object), V_ERR_RANGE, V_ERR_BUSY,
- * V_ERR_MEMORY.
+ * Removes a shape of an object. The numbers of later shapes decrease; the others keep
+ * their weights, also in a track of the channel "weights".
+ * V_ERR_ARGUMENT (no object), V_ERR_RANGE, V_ERR_MEMORY.
  */
 int v_scene_remove_shape(V_SCENE *scene,
                          int node,
@@ -2690,18 +2419,15 @@ int v_scene_remove_shape(V_SCENE *scene,
 
 /**
  * Gets the number of deformations of an object.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no object), V_ERR_RANGE, V_ERR_BUSY.
+ * V_ERR_ARGUMENT (no object), V_ERR_RANGE.
  */
 int v_scene_deformation_count(const V_SCENE *scene, int node, int *count);
 
 /**
- * Gets the kind, parameters and box of an object's deformation; deformations count
- * from 0. *count receives the number of parameters. If the deformation uses the bounds
- * of the geometry, box is 1 1 1 -1 -1 -1, which no other box is; give
- * v_scene_add_deformation() NULL then. Any result may be NULL; the text is valid as
- * for v_scene_get_name().
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (more parameters than room; *count is written),
- * V_ERR_ARGUMENT (no object), V_ERR_RANGE, V_ERR_BUSY.
+ * Gets the kind, parameters and box of an object's deformation. A box of 1 1 1 -1 -1
+ * -1, which no other is, stands for the bounds of the geometry: give
+ * v_scene_add_deformation() NULL then. Any result may be NULL.
+ * V_ERR_SIZE, V_ERR_ARGUMENT (no object), V_ERR_RANGE.
  */
 int v_scene_get_deformation(const V_SCENE *scene,
                             int node,
@@ -2717,23 +2443,21 @@ int v_scene_get_deformation(const V_SCENE *scene,
 
 /**
  * Gets the first and last frame: those of v_scene_set_range(), otherwise those of all
- * paths and keys; 1 and 1 if nothing moves. Any result may be NULL.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_BUSY.
+ * paths and keys; 1 and 1 if nothing moves.
+ * V_ERR_ARGUMENT.
  */
 int v_scene_frame_range(const V_SCENE *scene,
                         double *first,
                         double *last);
 
 /**
- * Gets the states of all nodes at a frame, in the order of their numbers. frame is any
- * finite number. *count receives the number of nodes and may be NULL; states may be
- * NULL to get only that.
+ * Gets the states of all nodes at any finite frame, in the order of their numbers. Any
+ * result may be NULL.
  *
  * If a "host:" interpolation is not registered, fails or returns a number that is not
- * finite, its channel steps from key to key. The call then still returns V_OK, and
- * v_last_warning() reports it; "" if there is nothing to report.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (fewer than the nodes; *count is written),
- * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+ * finite, its channel steps from key to key; v_last_warning() reports it, or returns
+ * "".
+ * V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_scene_evaluate(const V_SCENE *scene,
                      double frame,
@@ -2743,9 +2467,8 @@ int v_scene_evaluate(const V_SCENE *scene,
 
 /**
  * Gets count states of one node, at the frames first, first + frame_step and so on.
- * "host:" interpolations are handled as in v_scene_evaluate().
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
- * V_ERR_MEMORY.
+ * v_last_warning() as for v_scene_evaluate().
+ * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_scene_sample(const V_SCENE *scene,
                    int node,
@@ -2755,11 +2478,9 @@ int v_scene_sample(const V_SCENE *scene,
                    size_t count);
 
 /**
- * Gets the value of a channel (see v_scene_set_track()) at a frame, with or without a
- * track. *width receives the number of its components and may be NULL; values may be
- * NULL to get only that. "host:" interpolations are handled as in v_scene_evaluate().
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (fewer than the channel has; *width is
- * written), V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+ * Gets the value of a channel at a frame, with or without a track, and the number of
+ * its components. Any result may be NULL. v_last_warning() as for v_scene_evaluate().
+ * V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_scene_value(const V_SCENE *scene,
                   int node,
@@ -2771,11 +2492,9 @@ int v_scene_value(const V_SCENE *scene,
 
 /**
  * Gets the points of an object at a frame, morphed and deformed, in the coordinates of
- * the node. xyz receives three numbers per point; capacity and *points count points.
- * *points may be NULL; xyz may be NULL to get only *points. "host:" interpolations are
- * handled as in v_scene_evaluate().
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (more points than room; *points is written),
- * V_ERR_ARGUMENT (no object), V_ERR_RANGE, V_ERR_BUSY, V_ERR_MEMORY.
+ * the node: three numbers per point; capacity and *points count points. Any result may
+ * be NULL. v_last_warning() as for v_scene_evaluate().
+ * V_ERR_SIZE, V_ERR_ARGUMENT (no object), V_ERR_RANGE, V_ERR_MEMORY.
  */
 int v_scene_vertices(const V_SCENE *scene,
                      int node,
@@ -2788,21 +2507,19 @@ int v_scene_vertices(const V_SCENE *scene,
  * Writes a scene in another program's format. Each file is replaced atomically. A
  * missing folder is created only for colmap, inside an existing one.
  *
- * format   gltf, glb, usda, blender, paraview, vtk, nerfstudio, transforms,
- *     instant-ngp, cameras, supersplat, tum, euroc, kitti, matrices, open3d, colmap (a
- *     folder), osg, chan, html, ascii, csv, json or vid; NULL: by the name of the file
+ * format  gltf, glb, usda, blender, paraview, vtk, nerfstudio, transforms, instant-ngp,
+ *     cameras, supersplat, tum, euroc, kitti, matrices, open3d, colmap (a folder), osg,
+ *     chan, html, ascii, csv, json or vid; NULL: by the name of the file
  * options  lines of name=value ("fps=30\nnode=camera"); NULL: none. The names are
- *     node, clip, frames, fps, start, size, up, scale, as, tolerance, angle, compact, digits
- *     and rotation-order; `vides convert --help` explains them. The last of duplicates
- *     counts; names that a format does not use are ignored
+ *     node, clip, frames, fps, times, start, size, up, scale, as, tolerance, angle, compact,
+ *     digits and rotation-order; `vides convert --help` explains them. The last of
+ *     duplicates counts; names that a format does not use are ignored
  *
- * What the format cannot hold is left out. The call then still returns V_OK, and
- * v_last_warning() lists the losses, one per line, or returns "".
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY, V_ERR_ARGUMENT (format, options, no such node,
- * a host interpolation that fails), V_ERR_RANGE (frames, fps), V_ERR_FORMAT (a folder
- * that holds what would be read first), V_ERR_IO, V_ERR_LIMIT, V_ERR_MEMORY. If memory
- * runs out while a file is opened or written, the program may end; the old file is
- * kept.
+ * What the format cannot hold is left out; v_last_warning() lists such losses, one per
+ * line, or returns "".
+ * V_ERR_ARGUMENT (also no such node, a host interpolation that fails), V_ERR_RANGE,
+ * V_ERR_FORMAT (a folder that holds what would be read first), V_ERR_IO, V_ERR_LIMIT,
+ * V_ERR_MEMORY.
  */
 int v_scene_export(const V_SCENE *scene,
                    const char *file,
@@ -2811,20 +2528,18 @@ int v_scene_export(const V_SCENE *scene,
 
 /**
  * Reads another program's file, or a folder of files, as a scene. Poses become a path
- * fitted with few points; with "as=keys", or fewer than three poses, they become a
- * camera with one key each. Free *scene with v_scene_free().
+ * fitted with few points; with "as=keys", or fewer than three poses, a camera with one
+ * key each.
  *
- * format   gltf, glb, usda, nerfstudio, transforms, instant-ngp, cameras, supersplat,
- *     tum, euroc, kitti, matrices, open3d, record3d, polycam, colmap, osg, chan,
- *     paraview (as v_scene_export() writes it; no code is run), ascii, csv, json or vid;
- *     NULL: by the content
+ * format  gltf, glb, usda, nerfstudio, transforms, instant-ngp, cameras, supersplat, tum,
+ *     euroc, kitti, matrices, open3d, record3d, polycam, colmap, osg, chan, paraview (as
+ *     v_scene_export() writes it; no code is run), ascii, csv, json or vid; NULL: by the
+ *     content
  * options  as for v_scene_export()
  *
- * The call returns V_OK even if parts of the file are ignored. v_last_warning() lists
- * them, and how well a path fits, one per line; "" if there is nothing to report.
- * V_ERR_NULL, V_ERR_ARGUMENT (format, options), V_ERR_IO, V_ERR_FORMAT (with place and
- * reason in v_last_error()), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY. If memory runs
- * out while the file is parsed, the program may end.
+ * v_last_warning() lists parts of the file that are ignored, and how well a path fits,
+ * one per line, or returns "".
+ * V_ERR_ARGUMENT, V_ERR_IO, V_ERR_FORMAT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_scene_import(const char *file,
                    const char *format,
@@ -2835,17 +2550,15 @@ int v_scene_import(const char *file,
 /* ---- Progress ---------------------------------------------------------------- */
 
 /**
- * Sets the function that reports the progress of the calling thread's long calls; NULL,
- * the default: none. It is called at most ten times a second, and not in the first tenth.
- * Long calls are v_path_fit_poses() and its variants, v_path_check(), v_path_retime(),
- * v_path_steady(), v_path_avoid(), v_path_keep_in_picture() and v_path_tour(). With up to
- * a million triangles they call it at least twice a second, except while they read the
- * object at the start: about two seconds for a million.
+ * Sets the function that the calling thread's long calls (those with V_ERR_REFUSED,
+ * except v_editors_close()) call at most ten times a second, not in the first tenth;
+ * NULL, the default: none. With up to a million triangles they call it at least twice
+ * a second, except while they read the object: about two seconds for a million.
  *
- * progress  share is from 0 to 1, and may fall when another round begins. If it returns
- *     0, the call fails with V_ERR_REFUSED and changes nothing. It may call any function;
- *     a path in use, such as that of the call, returns V_ERR_BUSY. No exception or
- *     longjmp() may leave it
+ * progress  share is from 0 to 1, and may fall when another round begins. If it
+ *     returns 0, the call fails with V_ERR_REFUSED and changes nothing. In it, a path
+ *     in use, such as that of the call, is V_ERR_BUSY. No exception or longjmp() may
+ *     leave it
  * user  your pointer, passed to progress
  */
 int v_set_progress(int (*progress)(double share, void *user),
@@ -2855,20 +2568,24 @@ int v_set_progress(int (*progress)(double share, void *user),
 /* ---- Paths from recorded poses, checks --------------------------------------- */
 
 /**
- * Fits a path of few points to recorded poses: each position within tolerance, each view,
- * up and field of view within angle degrees, at its time. Noise below that is removed.
- * Poses that jerk between whole frames may be missed, since points are at whole frames.
+ * Fits a path of few points to recorded poses: each position within tolerance, each
+ * view, up and field of view within angle degrees, at its time. Noise below that is
+ * removed. Poses that jerk between whole frames, where no points are, may be missed.
+ * The space is the smallest cube around the positions, enlarged by a tenth, with
+ * V_UP_Y.
  *
- * seconds  when each pose was taken, in order; NULL: one per frame. Of equal times the first
- *     counts. Times beyond 1e11 count nanoseconds or microseconds, by their median step. If
- *     they span more than 100,000,000 frames, the call fails with V_ERR_LIMIT
- * count    at least two
- * fps      frame rate of the path
- * The space is the smallest cube around the positions, enlarged by a tenth, with V_UP_Y.
- * Free *path with v_path_free().
- * V_ERR_NULL, V_ERR_ARGUMENT (times that run backwards, a number that is not
- * finite, a view without direction), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY,
- * V_ERR_REFUSED (v_set_progress()).
+ * v_last_warning() then reports points, deviations and frame rate; if there are any,
+ * holds, gaps, cuts and outliers; and, where more than a third of the poses became
+ * points, a tolerance that needs at most half of them.
+ *
+ * seconds  when each pose was taken, in order; NULL: one per frame. Of equal times the
+ *     first counts. Times beyond 1e11 count nanoseconds or microseconds, by their
+ *     median step
+ * count  at least two
+ * fps  frame rate of the path
+ * V_ERR_ARGUMENT (times that run backwards, a view without direction), V_ERR_RANGE,
+ * V_ERR_LIMIT (times that span more than 100,000,000 frames), V_ERR_MEMORY,
+ * V_ERR_REFUSED.
  */
 int v_path_fit_poses(const V_POSE *poses,
                      const double *seconds,
@@ -2881,11 +2598,9 @@ int v_path_fit_poses(const V_POSE *poses,
 /**
  * Like v_path_fit_poses(), in a space whose up axis applies to rolls and ups.
  *
- * space   see v_space_init(). With half_size 0 only its up axis counts, and the space is
- *     the smallest cube around the positions, as with NULL
- * Free *path with v_path_free().
- * V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY,
- * V_ERR_REFUSED (v_set_progress()).
+ * space  with half_size 0 only its up axis counts, and it is the smallest cube around
+ *     the positions, as with NULL
+ * V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED.
  */
 int v_path_fit_poses_in_space(const V_POSE *poses,
                               const double *seconds,
@@ -2897,14 +2612,10 @@ int v_path_fit_poses_in_space(const V_POSE *poses,
                               V_PATH **path);
 
 /**
- * Like v_path_fit_poses_in_space(), but ignores outliers: poses that differ by more than
- * the tolerance from what their neighbours suggest.
- *
- * left_out  the number of outliers; may be NULL
- * v_last_warning() then returns their number and the first one, or "".
- * Free *path with v_path_free().
- * V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY,
- * V_ERR_REFUSED (v_set_progress()).
+ * Like v_path_fit_poses_in_space(), but ignores outliers: poses that differ by more
+ * than the tolerance from what their neighbours suggest. *left_out receives their
+ * number, and may be NULL; the last line of v_last_warning() names it and the first one.
+ * V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED.
  */
 int v_path_fit_poses_robust(const V_POSE *poses,
                             const double *seconds,
@@ -2917,9 +2628,9 @@ int v_path_fit_poses_robust(const V_POSE *poses,
                             V_PATH **path);
 
 /**
- * Finds what will look wrong in the film: jerks, flips, collisions. Reports one finding
- * per kind and run of frames, in the order of the frames. Lengths are in units of the
- * space's half_size. In parentheses: the default limits.
+ * Finds what will look wrong: jerks, flips, collisions. Writes one finding per kind
+ * and run of frames to your array, in their order. Lengths are in units of the space's
+ * half_size. In parentheses: the default limits.
  *
  * "space"         the camera is outside the space by more than the limit (0)
  * "cusp"          curve or speed nearly stop in a section (0.02 of the mean)
@@ -2945,22 +2656,19 @@ int v_path_fit_poses_robust(const V_POSE *poses,
  *                 of the target (or the middle of the space), would cross it; below the
  *                 limit (off)
  * "backwards"     the curve runs backwards between points that lead forwards (0.001);
- *                 a "centripetal" curve does not, see v_path_set_curve()
+ *                 a "centripetal" curve does not
  *
- * A hold between sections without an ease, and a turn on the spot between such sections,
- * begin and end abruptly. That is a "speed-jump", an "acceleration" or a
- * "turning-acceleration" only if the limit of that kind is not the default.
- * The distance to the object is computed three times per frame, as by v_path_avoid().
+ * A hold between sections without an ease, and a turn on the spot between such
+ * sections, begin and end abruptly: a "speed-jump", an "acceleration" or a
+ * "turning-acceleration" only if that limit is not the default. The distance to the
+ * object is computed three times per frame, as by v_path_avoid().
  *
- * object  the obstacle, in the coordinates of the path; NULL: the path's own object with
- *     its faces, if it has one
- * findings  space for capacity findings; *count is their number. If capacity is too
- *     small, only *count is written and the call fails with V_ERR_SIZE; with findings NULL
- *     and capacity 0, only *count is written
- * v_last_warning() then returns notes: that the camera is inside the object all the time,
- * and what was ignored (moving objects, the motion of the camera's parent); or "".
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT (an object without geometry),
- * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
+ * object  the obstacle, in the coordinates of the path; NULL: the path's own, with its
+ *     faces, if it has one
+ * v_last_warning() returns notes, or "": that the camera is always inside the object,
+ * and what was ignored (moving objects, the motion of the camera's parent).
+ * V_ERR_SIZE, V_ERR_ARGUMENT (an object without geometry), V_ERR_RANGE, V_ERR_LIMIT,
+ * V_ERR_MEMORY, V_ERR_REFUSED.
  */
 int v_path_check(const V_PATH *path,
                  const V_MESH *object,
@@ -2969,17 +2677,15 @@ int v_path_check(const V_PATH *path,
                  size_t *count);
 
 /**
- * Sets the limit of a kind of finding, see v_path_check(). The file keeps it. INFINITY
+ * Sets the limit of a kind of finding (v_path_check()), which is saved; INFINITY
  * disables the kind.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no such kind), V_ERR_RANGE.
+ * V_ERR_ARGUMENT (no such kind), V_ERR_RANGE.
  */
-int v_path_set_limit(V_PATH *path,
-                     const char *kind,
-                     double limit);
+int v_path_set_limit(V_PATH *path, const char *kind, double limit);
 
 /**
- * Gets the limit of a kind of finding, see v_path_check(); INFINITY: disabled.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT.
+ * Gets the limit of a kind of finding; INFINITY: disabled.
+ * V_ERR_ARGUMENT (no such kind).
  */
 int v_path_get_limit(const V_PATH *path, const char *kind, double *limit);
 
@@ -2988,34 +2694,27 @@ int v_path_get_limit(const V_PATH *path, const char *kind, double *limit);
 
 /**
  * Fills in the defaults of v_path_check(): acceleration 10, turning 60,
- * turning_acceleration 300, zoom 30, and no other limits. NULL only sets v_last_error().
- * In C, a macro of this name passes the struct's size to v_limits_init_sized(). The
- * function itself, for other languages, fills in the struct of version 1.0.
+ * turning_acceleration 300, zoom 30; no other limits.
  */
 void v_limits_init(V_LIMITS *limits);
 
-/**
- * Like v_limits_init(), for a struct of size bytes. It works as
- * v_editor_options_init_sized().
- */
+/** Like v_limits_init(), for a struct of size bytes. */
 void v_limits_init_sized(V_LIMITS *limits, size_t size);
 
 /**
- * Recomputes the speed profile between the first orientation of one point and the last of
- * another, as fast as the limits allow. The curve and the views do not change. The camera
- * rests at the ends of an open path, at held keys, and where curve or view have a kink;
- * v_last_warning() lists these. Other sections keep their speed profile. The sections get
- * fixed frames, a distance curve and a curve time. Takes at most 40 rounds over the
- * sections.
+ * Recomputes the speed profile between the first orientation of one point and the last
+ * of another, as fast as the limits allow, in at most 40 rounds over the sections.
+ * Curve and views do not change. The camera rests at the ends of an open path, at held
+ * keys, and where curve or view have a kink; v_last_warning() lists these. The
+ * sections get fixed frames, a distance curve and a curve time; others do not change.
  *
- * limits  see v_limits_init(); NULL: the path's own, see v_path_set_limit()
- * first_point, last_point  with 0 and the last point: the whole path, if closed with the
- *     way back to the first point. On a closed path first_point may be after last_point
- * seconds  0: as few as the limits allow; otherwise this duration, to a whole frame, with
- *     the lowest peaks. It counts the last frame of the path, too
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT (no limit, one that is not
- * positive, too few seconds: v_last_error() names the least), V_ERR_RANGE,
- * V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
+ * limits  NULL: the path's own, see v_path_set_limit()
+ * first_point, last_point  as for v_path_fit_frames()
+ * seconds  0: as few as the limits allow; otherwise this duration, to a whole frame,
+ *     with the lowest peaks; the last frame of the path counts, too
+ * V_ERR_SIZE, V_ERR_ARGUMENT (no limit, one that is not positive, too few seconds:
+ * v_last_error() names the least), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY,
+ * V_ERR_REFUSED.
  */
 int v_path_retime(V_PATH *path,
                   const V_LIMITS *limits,
@@ -3024,40 +2723,39 @@ int v_path_retime(V_PATH *path,
                   double seconds);
 
 /**
- * Stabilises a recorded flight: positions, views and zoom pass a low-pass filter without
- * lag, at whole frames; v_path_fit_poses() then makes a path of few points and as many
- * frames. The first and the last pose do not change. Names, targets and modes are
- * discarded, and a closed path is open afterwards. v_last_warning() returns how far the
- * path moved.
+ * Stabilises a recorded flight: positions, views and zoom pass a low-pass filter
+ * without lag, at whole frames; v_path_fit_poses() then makes a path of few points and
+ * as many frames. The first and the last pose do not change. Names, targets and modes
+ * are discarded; a closed path becomes open. v_last_warning() returns how far the path
+ * moved.
  *
  * seconds  cut-off period: motion of this period is halved, faster motion is removed;
  *     > 0 and at most 2,000 frames
- * within   maximum distance any position may move; 0: no limit
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (a path that does not move, no path within
- * the limit), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED
- * (v_set_progress()).
+ * within  maximum distance any position may move; 0: no limit
+ * V_ERR_ARGUMENT (a path that does not move, no path within the limit), V_ERR_RANGE,
+ * V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED.
  */
 int v_path_steady(V_PATH *path,
                   double seconds,
                   double within);
 
 /**
- * Moves a path away from an object. Where the camera, or a sphere around it, comes nearer
- * than the clearance or passes through the object, points move as little as possible and
- * as few as possible are added. Points that were clear do not move, except within a closed
- * part of the object between others outside. Frames and targets do not change.
- * v_last_warning() returns a line for each changed part, or "".
+ * Moves a path away from an object. Where the camera, or a sphere around it, comes
+ * nearer than the clearance or passes through the object, points move as little as
+ * possible and as few as possible are added. Points that were clear do not move,
+ * except within a closed part of the object between others outside. Frames and targets
+ * do not change. v_last_warning() returns a line for each changed part, or "".
  *
- * Each part takes at most a few searches of a grid with 96 cells along its longest side.
- * A distance query takes the logarithm of the number of triangles; if they overlap widely,
- * up to that number.
+ * Each part takes at most a few searches of a grid with 96 cells along its longest
+ * side; a distance query, the logarithm of the number of triangles, up to that number
+ * if they overlap widely.
  *
  * object  in the coordinates of the path; NULL: the path's own
- * clearance, radius  in the path's units; the clearance > 0, the radius of the sphere 0 or
+ * clearance, radius  in the path's units; clearance > 0, radius of the sphere 0 or
  *     more
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT (no way round: v_last_error()
- * names the frame and the place; an object without geometry), V_ERR_RANGE,
- * V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
+ * V_ERR_SIZE, V_ERR_ARGUMENT (no way round: v_last_error() names the frame and the
+ * place; an object without geometry), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY,
+ * V_ERR_REFUSED.
  */
 int v_path_avoid(V_PATH *path,
                  const V_MESH *object,
@@ -3065,21 +2763,19 @@ int v_path_avoid(V_PATH *path,
                  double radius);
 
 /**
- * Keeps an object whole in the picture less margin, at every frame and between. With zoom
- * or distance the object is as large as the margin and the path's limits of zoom, or of
- * speed and acceleration, allow (v_path_set_limit()); with the view the camera turns no
- * more than necessary. Frames and speed profile do not change. Points are added where keys
- * are not enough. If it is not possible, the path is unchanged. Takes 20 positions per
- * frame, each tried at most 60 times.
+ * Keeps an object whole in the picture less margin, at every frame and between. With
+ * zoom or distance it is as large as the margin and the path's limits of zoom, or of
+ * speed and acceleration, allow; with the view the camera turns no more than
+ * necessary. Frames and speed profile do not change; points are added where keys are
+ * not enough. Takes 20 positions per frame, each tried at most 60 times.
  *
  * object  in the coordinates of the path; NULL: the path's own, with the objects of
  *     its scene
  * margin  the fraction of the picture's width and height (36 x 24 mm) to keep free on
  *     each side, from 0 to below 0.5
- * what  V_PICTURE_ZOOM, V_PICTURE_DISTANCE or V_PICTURE_VIEW
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no object, or it does not fit into the
- * picture, with the frame), V_ERR_RANGE, V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY,
- * V_ERR_REFUSED (v_set_progress()).
+ * what  V_PICTURE_...
+ * V_ERR_ARGUMENT (no object, or it does not fit into the picture, with the frame),
+ * V_ERR_RANGE, V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED.
  */
 int v_path_keep_in_picture(V_PATH *path,
                            const V_MESH *object,
@@ -3087,35 +2783,30 @@ int v_path_keep_in_picture(V_PATH *path,
                            int what);
 
 /**
- * Fills in the default tour: 60 seconds, coverage 0.95, outside the object, at a distance
- * that VIDES chooses, closed, V_UP_Y. NULL only sets v_last_error(). In C, a macro of this
- * name passes the struct's size to v_tour_init_sized(). The function itself, for other
- * languages, fills in the struct of version 1.0.
+ * Fills in the default tour: 60 seconds, coverage 0.95, outside the object, at a
+ * distance that VIDES chooses, closed, V_UP_Y.
  */
 void v_tour_init(V_TOUR *tour);
 
-/**
- * Like v_tour_init(), for a struct of size bytes. It works as
- * v_editor_options_init_sized().
- */
+/** Like v_tour_init(), for a struct of size bytes. */
 void v_tour_init_sized(V_TOUR *tour, size_t size);
 
 /**
- * Plans a flight that shows an object: the fewest positions from which the wanted fraction
- * of its surface is seen, a short path through them that keeps clear of it, and a speed
- * profile within the limits of v_path_check(), at 25 frames per second.
+ * Plans a flight that shows an object: the fewest positions from which the wanted
+ * fraction of its surface is seen, a short path through them that keeps clear of it,
+ * and a speed profile within the limits of v_path_check(), at 25 frames per second.
+ * Takes the time of about 300 pictures, some seconds for a million triangles, and
+ * about 300 bytes per triangle.
  *
- * object  its triangles count. From outside, only the side that the normals point to is
- *     to be seen where neighbouring triangles agree about it, otherwise either side
- * tour  NULL: the defaults of v_tour_init()
+ * object  its triangles count. From outside, only the side of the normals is to be
+ *     seen where neighbouring triangles agree about it, otherwise either side
+ * tour  NULL: that of v_tour_init()
  * coverage  the fraction shown of what can be seen; may be NULL
- * v_last_warning() then returns two lines: positions, coverage, length and seconds; and
+ * v_last_warning() returns two lines: positions, coverage, length and seconds; and
  * what remains unseen, and why.
- * Free *path with v_path_free(). Takes the time of about 300 pictures, some seconds for a
- * million triangles, and about 300 bytes per triangle.
- * V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT (no surface, no free place, too few seconds:
+ * V_ERR_SIZE, V_ERR_ARGUMENT (no surface, no free place, too few seconds:
  * v_last_error() names the least), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY,
- * V_ERR_REFUSED (v_set_progress()).
+ * V_ERR_REFUSED.
  */
 int v_path_tour(const V_MESH *object,
                 const V_TOUR *tour,
@@ -3126,66 +2817,52 @@ int v_path_tour(const V_MESH *object,
 /* ---- Opening and closing windows --------------------------------------------- */
 
 /**
- * Fills in the default options: size, space_up V_UP_Y, and everything else NULL or 0.
- * NULL only sets v_last_error(). In C, a macro of this name passes the struct's size
- * to v_editor_options_init_sized(). The function itself, for other languages (ctypes,
- * JNI, bindgen), fills in the whole struct of version 1.0.
+ * Fills in the default options: space_up V_UP_Y, everything else NULL or 0.
  */
 void v_editor_options_init(V_EDITOR_OPTIONS *options);
 
 /**
- * Like v_editor_options_init(), for a struct of size bytes. Sets size to what was
- * filled in and leaves bytes after the fields that the library knows unchanged. A
- * struct shorter than in version 1.0 is left unchanged, and v_last_error() returns the
- * reason.
+ * Like v_editor_options_init(), for a struct of size bytes; size becomes what was
+ * filled in. Bytes after the fields that the library knows are unchanged. A struct
+ * shorter than in version 1.0 is unchanged, and v_last_error() returns the reason.
  */
-void v_editor_options_init_sized(V_EDITOR_OPTIONS *options,
-                                 size_t size);
+void v_editor_options_init_sized(V_EDITOR_OPTIONS *options, size_t size);
 
 /**
  * Opens an editor window and returns at once; see v_fd() for how your program serves
- * it. options may be NULL for the defaults. Free *editor with v_editor_close().
+ * it. options NULL: the defaults. Call it from the thread that runs the event loop.
  *
- * The callbacks run on the thread that opened the window, in your event loop, and may
- * call any function of the library. They may run while your program shows a modal
- * dialog, since the dialog's loop serves the window too. They must return to their
- * caller: no longjmp() and no exception may leave them. An exception that does ends
- * the program, after a line on standard error that names the callback. When the thread
- * ends, its window is closed, and a line on standard error reports it.
- * The thread that runs the event loop; from callbacks too. V_ERR_NULL, V_ERR_SIZE,
- * V_ERR_HANDLE (of path), V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_IO and V_ERR_FORMAT (of
- * file), V_ERR_DISPLAY, V_ERR_LIMIT, V_ERR_MEMORY.
+ * The callbacks run there, also while your program shows a modal dialog, whose loop
+ * serves the window too. No longjmp() and no exception may leave them; an exception
+ * that does ends the program, after a line on standard error that names the callback.
+ * When the thread ends, its window is closed, with a line on standard error.
+ * V_ERR_SIZE, V_ERR_HANDLE (of path), V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_IO and
+ * V_ERR_FORMAT (of file), V_ERR_DISPLAY, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_editor_open(const V_EDITOR_OPTIONS *options,
                   V_EDITOR **editor);
 
 /**
- * Closes a window without asking, and frees its handle. Inside the window's own
- * callbacks it closes when they have returned. on_gone is not called. Work that
- * v_editor_is_modified() reports is offered at the next start of the program, unless
- * you called v_editor_mark_saved() before. NULL is ignored.
- * The thread that opened it, or any once the window is gone; from callbacks too.
- * V_ERR_HANDLE.
+ * Closes a window without asking, and frees its handle: on the thread that opened it,
+ * or on any once the window is gone. Inside the window's own callbacks it closes when
+ * they have returned. on_gone is not called. Work that v_editor_is_modified() reports
+ * is offered at the next start of the program. NULL is ignored.
  */
 int v_editor_close(V_EDITOR *editor);
 
 /**
- * Gets a copy of the path in a window; in a scene, that of the camera shown
- * (v_scene_get_camera()). Free *path with v_path_free().
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no camera, or it follows no
- * path), V_ERR_MEMORY, V_ERR_LIMIT.
+ * Gets a copy of the path in a window; in a scene, that of the camera shown.
+ * V_ERR_ARGUMENT (no camera, or it follows no path), V_ERR_MEMORY, V_ERR_LIMIT.
  */
-int v_editor_get_path(const V_EDITOR *editor,
-                      V_PATH **path);
+int v_editor_get_path(const V_EDITOR *editor, V_PATH **path);
 
 /**
- * Replaces the path in a window, in one step that the user can undo. The path is
- * copied with its space, title, comment and so on, and with its object if it has one.
- * Base speeds given when the window was opened are kept. In a scene it replaces the
- * path of the camera shown, which is then edited. The playhead stays at its frame if
- * the path has that frame; otherwise it goes to the current point.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no camera, or it follows no
- * path), V_ERR_MEMORY.
+ * Replaces the path in a window, in one step that the user can undo, with its space,
+ * title, comment and so on, and its object if it has one. Base speeds given when the
+ * window was opened are kept. In a scene it replaces the path of the camera shown,
+ * which is then edited. The playhead stays at its frame, or goes to the current point
+ * if the path has no such frame.
+ * V_ERR_ARGUMENT (no camera, or it follows no path), V_ERR_MEMORY.
  */
 int v_editor_set_path(V_EDITOR *editor,
                       const V_PATH *path);
@@ -3194,100 +2871,81 @@ int v_editor_set_path(V_EDITOR *editor,
 /* ---- The window and the host's own picture ----------------------------------- */
 
 /**
- * Shows your program's camera in a window, as a ghost in the space, which the user can
- * add to the path as a point. NULL hides it. vpn and vup may have any length but 0.
+ * Shows your program's camera as a ghost, which the user can add to the path as a
+ * point; NULL hides it. vpn and vup have any length but 0.
  *
  * Changes that a callback makes with the functions of this section or with
  * v_editor_set_path() do not cause further callbacks.
- * V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_NULL (editor), V_ERR_ARGUMENT, V_ERR_RANGE.
+ * V_ERR_ARGUMENT, V_ERR_RANGE.
  */
-int v_editor_set_view(V_EDITOR *editor,
-                      const V_POSE *pose);
+int v_editor_set_view(V_EDITOR *editor, const V_POSE *pose);
 
 /**
- * Gets the frame at the playhead, counted from 1; v_path_pose() gets the camera there.
- * It may lie between two whole frames. In a scene it is a frame of the scene, as for
- * v_scene_evaluate().
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_MEMORY, V_ERR_LIMIT.
+ * Gets the frame at the playhead, for v_path_pose(); in a scene a frame of the scene,
+ * for v_scene_evaluate().
+ * V_ERR_MEMORY, V_ERR_LIMIT.
  */
 int v_editor_get_frame(const V_EDITOR *editor,
                        double *frame);
 
 /**
- * Moves the playhead to a frame, from 1 to v_path_frame_count(), which may lie between
- * two whole frames. The orientation that the camera comes from becomes current. In a
- * scene it is a frame of the scene, within v_scene_frame_range(), whatever is
- * selected.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_RANGE, V_ERR_MEMORY, V_ERR_LIMIT.
+ * Moves the playhead to a frame; the orientation that the camera comes from becomes
+ * current. In a scene it is a frame of the scene, within v_scene_frame_range(),
+ * whatever is selected.
+ * V_ERR_RANGE, V_ERR_MEMORY, V_ERR_LIMIT.
  */
-int v_editor_set_frame(V_EDITOR *editor,
-                       double frame);
+int v_editor_set_frame(V_EDITOR *editor, double frame);
 
 /**
- * Plays the flight from the playhead, or from the beginning if that is at the end;
- * play 0 stops. It starts when the window is next served, and continues whether or not
- * the window is visible.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED.
+ * Plays the flight from the playhead, or from the beginning if that is at the end,
+ * when the window is next served, even if it is not visible; 0 stops.
  */
-int v_editor_play(V_EDITOR *editor,
-                  int play);
+int v_editor_play(V_EDITOR *editor, int play);
 
 /**
- * Makes an orientation of a point current, both counted from 0.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no path is edited),
- * V_ERR_RANGE.
+ * Makes an orientation of a point current.
+ * V_ERR_ARGUMENT (no path is edited), V_ERR_RANGE.
  */
 int v_editor_select(V_EDITOR *editor, int point, int orientation);
 
 /**
- * Replaces the object shown, in one step that the user can undo. The mesh is copied;
- * NULL removes the object.
- * V_ERR_NULL (editor), V_ERR_SIZE, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT,
- * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ * Replaces the object shown, in one step that the user can undo; NULL removes it.
+ * V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
-int v_editor_set_object(V_EDITOR *editor,
-                        const V_MESH *object);
+int v_editor_set_object(V_EDITOR *editor, const V_MESH *object);
 
 /**
- * Sets the text after "VIDES" in the window's title: UTF-8, one line (control
- * characters are shown as spaces); NULL: the name of the file.
- * V_ERR_NULL (editor), V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT, V_ERR_MEMORY.
+ * Sets the text after "VIDES" in the window's title, one line (control characters
+ * become spaces); NULL: the name of the file.
+ * V_ERR_ARGUMENT, V_ERR_MEMORY.
  */
 int v_editor_set_title(V_EDITOR *editor, const char *title);
 
-/**
- * Gets whether closing a window would lose work: *modified is 1 or 0.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED.
- */
+/** Gets whether closing a window would lose work: 1 or 0. */
 int v_editor_is_modified(const V_EDITOR *editor, int *modified);
 
 /**
- * Marks the contents of a window as saved, after your program has kept them, for
- * example from v_editor_get_path(). They count as saved until the next change and are
- * not offered at the next start.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED.
+ * Marks the contents of a window as saved, after your program has kept them: until the
+ * next change they are not offered at the next start.
  */
 int v_editor_mark_saved(V_EDITOR *editor);
 
 /**
- * Saves the contents of a window to a .vid file, replacing an existing one; the window
- * edits that file from then on. NULL: its own file, unless another program has changed
- * it meanwhile.
- * V_ERR_NULL (editor), V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no file yet, or
- * changed by others), V_ERR_IO, V_ERR_MEMORY.
+ * Saves the contents of a window to a .vid file, which it edits from then on. NULL:
+ * its own file, unless another program has changed it.
+ * V_ERR_ARGUMENT (no file yet, or changed by others), V_ERR_IO, V_ERR_MEMORY.
  */
-int v_editor_save(V_EDITOR *editor,
-                  const char *file);
+int v_editor_save(V_EDITOR *editor, const char *file);
 
 /**
  * Raises a window above all others, if the desktop allows it.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_DISPLAY.
+ * V_ERR_DISPLAY.
  */
 int v_editor_raise(V_EDITOR *editor);
 
 /**
  * Closes all windows that this thread has open, including those of v_haupt(), for your
- * program's Quit. Windows opened meanwhile stay open. Handles must still be freed with
+ * program's Quit. Windows opened meanwhile stay open. You still free the handles with
  * v_editor_close().
  *
  * ask  0: closes without asking; unsaved work is offered at the next start. Otherwise
@@ -3296,35 +2954,33 @@ int v_editor_raise(V_EDITOR *editor);
  *
  * While a window asks, the call also handles the events, timers and inputs of a
  * program with Xt, in the context that this thread ran last; no longjmp() and no
- * exception may leave their callbacks. A second call meanwhile raises the window that
- * asks and fails with V_ERR_BUSY.
- * The thread that opens the windows. V_ERR_REFUSED (the windows before that one are
- * closed), V_ERR_BUSY from within a callback or while an earlier call asks,
- * V_ERR_DISPLAY, V_ERR_LIMIT without descriptors.
+ * exception may leave their callbacks. A second call meanwhile raises that window.
+ * V_ERR_REFUSED (the windows before that one are closed), V_ERR_BUSY (within a
+ * callback, or while an earlier call asks), V_ERR_DISPLAY, V_ERR_LIMIT (no
+ * descriptors).
  */
 int v_editors_close(int ask);
 
 /**
  * Gets a copy of the scene in a window; if the window has only a path, a scene with a
- * camera on it. Free *scene with v_scene_free().
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_MEMORY, V_ERR_LIMIT.
+ * camera on it.
+ * V_ERR_MEMORY, V_ERR_LIMIT.
  */
 int v_editor_get_scene(const V_EDITOR *editor,
                        V_SCENE **scene);
 
 /**
- * Replaces the scene in a window, in one step that the user can undo, even if the
- * scene is equal to the old one. The scene is copied with its space, title, comment
- * and so on, and with its wireframe object if it has one. The space given in the
- * options applies only to what the window began with.
+ * Replaces the scene in a window, in one step that the user can undo, even if it is
+ * equal to the old one, with its space, title, comment and so on, and its wireframe
+ * object if it has one. The space in the options applies only to what the window began
+ * with.
  *
- * The path that is edited remains the one edited if the new scene has a node of the
- * same name that follows a path. Otherwise the path of the camera shown, if it has
- * one, is edited, with the base speeds given when the window was opened. A scene with
- * nothing but one camera on a path is treated as that path. A drag in progress ends
- * where it is. The playhead stays at its frame if the scene has that frame.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_BUSY, V_ERR_ARGUMENT, V_ERR_RANGE,
- * V_ERR_MEMORY, V_ERR_LIMIT.
+ * The path that is edited remains so if the new scene has a node of the same name that
+ * follows a path. Otherwise that of the camera shown, if it has one, is edited, with
+ * the base speeds given when the window was opened. A scene with nothing but one
+ * camera on a path is treated as that path. A drag in progress ends where it is. The
+ * playhead stays at its frame if the scene has that frame.
+ * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY, V_ERR_LIMIT.
  */
 int v_editor_set_scene(V_EDITOR *editor,
                        const V_SCENE *scene);
@@ -3333,46 +2989,35 @@ int v_editor_set_scene(V_EDITOR *editor,
 /* ---- Steps of a window ------------------------------------------------------- */
 
 /**
- * Undoes the last step of a window, like Ctrl-Z. A window keeps the last 10,000 steps,
- * and at most 256 MiB of what they changed.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (nothing to undo).
+ * Undoes the last step of a window, like Ctrl-Z. It keeps the last 10,000 steps, and
+ * at most 256 MiB of what they changed.
+ * V_ERR_ARGUMENT (nothing to undo).
  */
 int v_editor_undo(V_EDITOR *editor);
 
 /**
  * Redoes the step that was undone last, like Ctrl-Y.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (nothing to redo).
+ * V_ERR_ARGUMENT (nothing to redo).
  */
 int v_editor_redo(V_EDITOR *editor);
 
 /**
- * Begins a group of changes that the user undoes as one step: all changes in a window
- * until v_editor_end_step(), yours and the user's. It replaces a group begun before;
- * loading another document in the window ends it.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED.
+ * Begins a group of changes in a window, yours and the user's, that the user undoes as
+ * one step. It replaces a group begun before; loading another document in the window
+ * ends it.
  */
 int v_editor_begin_step(V_EDITOR *editor);
 
-/**
- * Ends the group begun by v_editor_begin_step(); does nothing without one.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED.
- */
+/** Ends the group of v_editor_begin_step(); does nothing without one. */
 int v_editor_end_step(V_EDITOR *editor);
 
 /**
- * Gets the current point and orientation, both counted from 0, see v_editor_select().
- * Any result may be NULL.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no path of its scene is
- * edited).
+ * Gets the current point and orientation.
+ * V_ERR_ARGUMENT (no path is edited).
  */
-int v_editor_get_selection(const V_EDITOR *editor,
-                           int *point,
-                           int *orientation);
+int v_editor_get_selection(const V_EDITOR *editor, int *point, int *orientation);
 
-/**
- * Gets whether a window is playing, see v_editor_play(): *playing is 1 or 0.
- * V_ERR_NULL, V_ERR_HANDLE, V_ERR_CLOSED.
- */
+/** Gets whether a window is playing: 1 or 0. */
 int v_editor_is_playing(const V_EDITOR *editor, int *playing);
 
 
@@ -3382,9 +3027,9 @@ int v_editor_is_playing(const V_EDITOR *editor, int *playing);
  * Gets the spherical linear interpolation from a (t = 0) to b (t = 1) by the shorter
  * arc, at any finite t.
  *
- * Quaternions are w, x, y, z. Arguments are normalized; V_ERR_ARGUMENT if one is zero
- * or not finite. The identity is a camera that looks along (0, 0, 1) with (0, 1, 0)
- * up. Results may be the same arrays as arguments.
+ * Quaternions are w, x, y, z. Arguments are normalized; one that is zero or not finite
+ * is V_ERR_ARGUMENT. The identity is a camera that looks along (0, 0, 1) with (0, 1,
+ * 0) up. Results may be the same arrays as arguments.
  * V_ERR_NULL, V_ERR_ARGUMENT.
  */
 int v_quat_slerp(const double a[4],
@@ -3394,8 +3039,7 @@ int v_quat_slerp(const double a[4],
 
 /**
  * Gets the quaternion of a camera that looks along vpn with vup up. Both may have any
- * length but zero; vup need not be perpendicular to vpn, but must not be parallel to
- * it.
+ * length but 0, and must not be parallel.
  * V_ERR_NULL, V_ERR_ARGUMENT.
  */
 int v_quat_from_view(const double vpn[3],
@@ -3403,7 +3047,7 @@ int v_quat_from_view(const double vpn[3],
                      double q[4]);
 
 /**
- * Gets the view direction and up vector of a quaternion. Any result may be NULL.
+ * Gets the view direction and up vector of a quaternion.
  * V_ERR_NULL, V_ERR_ARGUMENT.
  */
 int v_view_from_quat(const double q[4], double vpn[3], double vup[3]);
@@ -3412,11 +3056,11 @@ int v_view_from_quat(const double q[4], double vpn[3], double vup[3]);
  * Gets the quaternion at the time when on a smooth curve through orientations (Barry
  * and Goldman 1988), whose ends are made by reflection.
  *
- * keys   count quaternions, four doubles each
+ * keys  count quaternions, four doubles each
  * key_times  the time of each key, strictly increasing
  * count  at least 2
- * when   from the first time to the last
- * V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ * when  from the first time to the last
+ * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_quat_spline(const double *keys,
                   const double *key_times,
@@ -3425,10 +3069,9 @@ int v_quat_spline(const double *keys,
                   double q[4]);
 
 /**
- * Like v_quat_spline(), on a cubic spherical curve with tension, continuity and bias.
- *
- * tcb  tension, continuity and bias of each key, each from -1 to 1; NULL: all zero
- * V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ * Like v_quat_spline(), on a cubic spherical curve. tcb has tension, continuity and
+ * bias of each key, from -1 to 1; NULL: all zero.
+ * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_quat_tcb_spline(const double *keys,
                       const double *key_times,
@@ -3441,15 +3084,12 @@ int v_quat_tcb_spline(const double *keys,
 /* ---- Toolbox: speed curve ---------------------------------------------------- */
 
 /**
- * Gets speed and distance on the speed curve of a section: ten speeds from 1 to 100 at
- * u = 0, 1/9, ... 1, smoothly joined, never leaving 1 to 100.
+ * Gets, at u from 0 to 1, the speed and the fraction of the distance on the speed
+ * curve of a section: ten speeds from 1 to 100 at u = 0, 1/9, ... 1, smoothly joined,
+ * never leaving 1 to 100.
  *
  * before, after  the adjacent speed of the section before and after; NULL: no section
- * u    from 0 to 1
- * speed_at_u         the speed at u
- * distance_fraction  the fraction of the distance covered at u, 0 to 1
- * Any result may be NULL.
- * V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE.
+ * V_ERR_ARGUMENT, V_ERR_RANGE.
  */
 int v_speed_curve(const double speed[10],
                   const double *before,
@@ -3464,20 +3104,20 @@ int v_speed_curve(const double speed[10],
 /**
  * Gets the matrix from world coordinates to the canonical volume of a view: 16
  * numbers, row by row, for column vectors, m times (x, y, z, 1). In a parallel
- * projection, x and y are then from -1 to 1, and z is 0 in the front plane and -1 in
- * the back plane. In a perspective projection, |x| and |y| are at most z, and z is 1
- * in the back plane.
- * V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT (up parallel to normal), V_ERR_RANGE (prp not
- * in front of the front plane, back plane not behind it, empty window).
+ * projection, x and y are then from -1 to 1, z 0 in the front plane and -1 in the back
+ * plane; in a perspective projection, |x| and |y| at most z, and z 1 in the back
+ * plane.
+ * V_ERR_SIZE, V_ERR_ARGUMENT (up parallel to normal), V_ERR_RANGE (prp not in front of
+ * the front plane, back plane not behind it, empty window).
  */
 int v_view_matrix(const V_VIEW *view,
                   double m[16]);
 
 /**
- * Gets the perspective view of a camera in a pose. aspect is the width of the picture
- * divided by its height; front and back are the distances of the planes from the
- * camera, 0 < front < back. Set view->size before.
- * V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE.
+ * Gets the perspective view of a camera in a pose. aspect is the picture's width
+ * divided by its height; front and back are the planes' distances from the camera, 0 <
+ * front < back.
+ * V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE.
  */
 int v_view_from_pose(const V_POSE *pose,
                      double aspect,
@@ -3488,42 +3128,36 @@ int v_view_from_pose(const V_POSE *pose,
 /**
  * Gets the matrix of a camera in a pose as gluLookAt() makes it, for glLoadMatrixd():
  * 16 numbers, column by column, from the world to the eye, looking along -z.
- * V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE.
+ * V_ERR_ARGUMENT, V_ERR_RANGE.
  */
 int v_pose_gl_matrix(const V_POSE *pose,
                      double m[16]);
 
 /**
  * Returns the vertical field of view, in degrees, of a lens of zoom mm and a picture
- * that is height mm high: 2 atan (height / (2 zoom)). For the zoom of a V_POSE, height
- * is 24.
- *
- * zoom, height  finite and > 0
- * NaN for anything else; v_last_error() returns why.
+ * height mm high: 2 atan (height / (2 zoom)). For the zoom of a V_POSE, height is 24.
+ * Returns NaN, with the reason in v_last_error(), unless both are finite and > 0.
  */
 double v_fov_from_zoom(double zoom,
                        double height);
 
 /**
  * Returns the focal length in mm that gives a picture height mm high the vertical
- * field of view fov: height / (2 tan (fov / 2)). With height 24 it is the zoom of a
- * V_POSE.
- *
- * fov     in degrees, between 0 and 180, both excluded
- * height  finite and > 0
- * NaN for anything else; v_last_error() returns why.
+ * field of view fov, in degrees: height / (2 tan (fov / 2)). With height 24 it is the
+ * zoom of a V_POSE. Returns NaN, with the reason in v_last_error(), unless height is
+ * finite and > 0 and fov between 0 and 180, both excluded.
  */
-double v_zoom_from_fov(double fov, double height);
+double v_zoom_from_fov(double fov,
+                       double height);
 
 /**
- * Gets the matrix of a camera, for programs whose camera axes differ from OpenGL's: 16
- * numbers, column by column, for column vectors.
+ * Gets the matrix of a camera: 16 numbers, column by column, for column vectors.
  *
  * convention  the camera's axes, V_AXES_...
- * to_world    0: world to camera (the view matrix), with V_AXES_OPENGL equal to that
- *     of v_pose_gl_matrix(), bit for bit. Otherwise camera to world: the columns are
- *     the axes and vrp
- * V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE.
+ * to_world  0: world to camera (the view matrix), with V_AXES_OPENGL that of
+ *     v_pose_gl_matrix(), bit for bit. Otherwise camera to world: the columns are the
+ *     axes and vrp
+ * V_ERR_ARGUMENT, V_ERR_RANGE.
  */
 int v_pose_matrix(const V_POSE *pose,
                   int convention,
@@ -3537,14 +3171,11 @@ int v_pose_matrix(const V_POSE *pose,
  * V_AXES_OPENGL and to_world 0. A scale common to all axes is removed, and the axes
  * are made perpendicular.
  *
- * m           16 numbers, column by column, for column vectors; the last row is 0, 0,
- *     0, 1
- * convention  the camera's axes, V_AXES_...
- * to_world    0: m is world to camera (the view matrix); otherwise camera to world
- * zoom        zoom of the pose, finite and > 0, which a matrix does not have; from a
- *     vertical angle: v_zoom_from_fov(angle, 24)
- * V_ERR_NULL, V_ERR_ARGUMENT (a matrix that mirrors, shears, projects or is not
- * finite; zoom), V_ERR_RANGE (convention).
+ * m  its last row is 0, 0, 0, 1
+ * zoom  zoom of the pose, finite and > 0; from a vertical angle:
+ *     v_zoom_from_fov(angle, 24)
+ * V_ERR_ARGUMENT (a matrix that mirrors, shears, projects or is not finite),
+ * V_ERR_RANGE.
  */
 int v_pose_from_matrix(const double m[16],
                        int convention,
@@ -3553,22 +3184,20 @@ int v_pose_from_matrix(const double m[16],
                        V_POSE *pose);
 
 /**
- * Gets the orientation of a camera as three angles. At angles 0, 0, 0 the camera's
- * axes (those of convention) lie along the world's. The camera is then turned about
- * the fixed axes of the world, in the order of the letters: with V_ORDER_XYZ about x,
- * then y, then z, so that the rotation is Rz Ry Rx for column vectors. (This equals
- * turns about the camera's own axes in the reverse order: z, y, x.) Positive angles
- * are counter-clockwise, seen against the axis.
+ * Gets the orientation of a camera as three angles. At 0, 0, 0 the camera's axes lie
+ * along the world's. The camera is then turned about the fixed axes of the world, in
+ * the order of the letters: with V_ORDER_XYZ about x, then y, then z, so that the
+ * rotation is Rz Ry Rx for column vectors. (This equals turns about the camera's own
+ * axes in the reverse order.) Positive angles are counter-clockwise, seen against the
+ * axis. With V_AXES_VIDES and V_ORDER_ZXY they are pitch (positive looks down), yaw
+ * and roll in a world with y up.
  *
- * With V_AXES_VIDES and V_ORDER_ZXY the angles are pitch (positive looks down), yaw
- * and roll of a camera in a world with y up.
- *
- * convention  the camera's axes, V_AXES_...; Blender and glTF use V_AXES_OPENGL
- * order       V_ORDER_...
- * angles      degrees about x, y and z, listed so for any order. The second turn is
- *     within -90 to 90, the others within -180 to 180. If it is 90 or -90, the other
- *     two turn about the same axis and share its angle
- * V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE (convention, order).
+ * convention  V_AXES_...; Blender and glTF use V_AXES_OPENGL
+ * order  V_ORDER_...
+ * angles  degrees about x, y and z, listed so for any order. The second turn is within
+ *     -90 to 90, the others within -180 to 180. If it is 90 or -90, the others turn
+ *     about the same axis and share its angle
+ * V_ERR_ARGUMENT, V_ERR_RANGE.
  */
 int v_pose_to_euler(const V_POSE *pose,
                     int convention,
@@ -3576,13 +3205,9 @@ int v_pose_to_euler(const V_POSE *pose,
                     double angles[3]);
 
 /**
- * Gets the pose of a camera at a position, turned by three angles: the inverse of
- * v_pose_to_euler(), which explains them. Any finite angles are valid.
- *
- * vrp     position of the camera
- * angles  degrees about x, y and z
- * zoom    zoom of the pose, finite and > 0
- * V_ERR_NULL, V_ERR_ARGUMENT (not finite; zoom), V_ERR_RANGE (convention, order).
+ * Gets the pose of a camera at position vrp, turned by three angles: the inverse of
+ * v_pose_to_euler(). Any finite angles are valid; zoom is finite and > 0.
+ * V_ERR_ARGUMENT, V_ERR_RANGE.
  */
 int v_pose_from_euler(const double vrp[3],
                       const double angles[3],
@@ -3592,16 +3217,16 @@ int v_pose_from_euler(const double vrp[3],
                       V_POSE *pose);
 
 /**
- * Gets the projection matrix of a camera, to be applied after the view matrix of
- * v_pose_gl_matrix(), which looks along -z whatever the convention: 16 numbers, column
- * by column, for column vectors (row by row for row vectors, as Direct3D uses them).
- * Only the zoom of the pose is used: the vertical field of view is 2 atan (12 / zoom).
+ * Gets the projection matrix of a camera, for its zoom, to be applied after the view
+ * matrix of v_pose_gl_matrix(), which looks along -z whatever the convention: 16
+ * numbers, column by column, for column vectors (row by row for row vectors, as
+ * Direct3D uses them).
  *
- * aspect      width of the picture divided by its height
+ * aspect  width of the picture divided by its height
  * near_plane  distance of the front plane, > 0
- * far_plane   distance of the back plane, > near_plane; INFINITY: no back plane
+ * far_plane  distance of the back plane, > near_plane; INFINITY: no back plane
  * convention  V_CLIP_..., optionally | V_CLIP_REVERSED
- * V_ERR_NULL, V_ERR_RANGE.
+ * V_ERR_RANGE.
  */
 int v_pose_projection(const V_POSE *pose,
                       double aspect,
