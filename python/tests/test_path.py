@@ -230,6 +230,11 @@ def test_a_recording_is_fitted(path: vides.Path) -> None:
     noisy[77, :3] += 2
     robust = vides.Path.fit(noisy, tolerance=0.01, robust=True)
     assert robust.losses == ("pose 77 is left out",)
+    report = robust.fit_report
+    assert report is not None and report.outliers == (77,) and report.poses == len(noisy)
+    assert report.points == len(robust.points) and report.position[1] <= report.position[0] <= 0.01001
+    assert report.better is None and report.text.startswith(f"{report.points} points for ")
+    assert len(vides.Path.fit(recorded, points=5).points) <= 5 and path.fit_report is None
 
 
 def test_pictures(path: vides.Path, tmp_path: File) -> None:

@@ -34,6 +34,28 @@ static void recorded_poses_are_fitted(void)
     v_path_free(path);
 }
 
+/* What a fit found is said: a cut meets both sides, and the warning names it. */
+static void a_fit_reports(void)
+{
+    V_PATH *path = orbit(4), *fitted = NULL;
+    static V_POSE poses[100], again[100];
+    size_t count = 0, i;
+
+    OK(v_path_sample(path, poses, 100, &count));
+    CHECK(count == 100);
+    for (i = 40; i < count; i++)
+        poses[i].vrp[1] += 3;
+    OK(v_path_fit_poses(poses, NULL, count, 25, 0.01, 0.5, &fitted));
+    CHECK(strstr(v_last_warning(), " points for 100 poses at 25 frames per second") != NULL);
+    CHECK(strstr(v_last_warning(), "found: 1 cut") != NULL);
+    OK(v_path_sample(fitted, again, 100, &count));
+    CHECK(count == 100);
+    for (i = 0; i < count; i++)
+        NEAR(again[i].vrp[1], poses[i].vrp[1], 0.0101);
+    v_path_free(fitted);
+    v_path_free(path);
+}
+
 /* A camera that rests, poses at equal times, and times in nanoseconds are recordings, too. */
 static void no_recording_is_refused(void)
 {
@@ -117,6 +139,7 @@ int main(void)
 {
     recorded_poses_are_fitted();
     no_recording_is_refused();
+    a_fit_reports();
     times_that_span_too_many_frames_are_refused();
     a_plain_hold_is_no_finding();
     return failures != 0;

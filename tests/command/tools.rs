@@ -336,6 +336,14 @@ fn a_sampled_film_becomes_a_path_again() {
         let far = (0..3).map(|k| (a.vrp[k] - b.vrp[k]).powi(2)).sum::<f64>();
         assert!(far.sqrt() < 0.0201);
     }
+    let few = folder.join("few.vid");
+    let few = few.to_str().unwrap();
+    let told = fit_report(&run(&["fit", poses, "--points", "6", "-o", few]));
+    assert!(
+        told[0].contains(": 6 points for 724 poses at 25 frames per second; "),
+        "{told:?}"
+    );
+    sentence(&run(&["fit", poses, "--points", "1"]), 1);
     sentence(&run(&["fit", PYRAMID]), 1);
     sentence(&run(&["fit", poses, "--tolerance", "0"]), 1);
     let huge = folder.join("huge.csv");

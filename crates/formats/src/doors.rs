@@ -166,7 +166,7 @@ fn recognised(source: &Source) -> Result<&'static Format> {
     let found: Vec<_> = read.iter().copied().filter(fits).collect();
     let file = Path::new(&source.name);
     match *found {
-        [] => match Foreign::of(source) {
+        [] => match Foreign::of((!source.is_folder).then_some(file), &source.bytes) {
             Some(foreign) => Err(Error::Foreign(foreign)),
             None => named(file, &read).ok_or(Error::NotRecognised),
         },

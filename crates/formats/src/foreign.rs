@@ -5,8 +5,6 @@
 use std::fmt;
 use std::path::Path;
 
-use super::source::Source;
-
 /// A kind of file that is not read.
 #[derive(Debug, PartialEq, Eq)]
 pub struct Foreign {
@@ -74,13 +72,11 @@ impl fmt::Display for Way {
 const SEARCHED: usize = 64 << 10;
 
 impl Foreign {
-    /// What a file is, if it is of a kind that is not read.
-    pub(super) fn of(source: &Source) -> Option<&'static Self> {
-        let bytes = &source.bytes;
+    /// What a file of this name is, if it is of a kind that is not read; a folder has no name.
+    pub(super) fn of(name: Option<&Path>, bytes: &[u8]) -> Option<&'static Self> {
         let head = &bytes[..bytes.len().min(SEARCHED)];
         let tail = &bytes[bytes.len().saturating_sub(SEARCHED).max(head.len())..];
-        let ending = Path::new(&source.name).extension();
-        let ending = ending.filter(|_| !source.is_folder).unwrap_or_default();
+        let ending = name.and_then(Path::extension).unwrap_or_default();
         let shown = |kind: &&Self| kind.begins(head) || kind.is_in(head) || kind.is_in(tail);
         let named = |kind: &&Self| {
             let mut endings = kind.endings.iter();
