@@ -7,7 +7,7 @@ use glam::{DAffine3, DMat4, DQuat, DVec3};
 use vides_document::error::{Place as ScenePlace, TooMany, vec_with_room};
 use vides_document::{Info, SceneDocument};
 use vides_engine::limits::MAX_FRAMES;
-use vides_engine::path::{Pose, Up};
+use vides_engine::path::{Pose, Space, Up};
 use vides_engine::scene::{
     Camera, Channel, FollowPath, Kind, Node, NodeState, Scene, Track, Warnings,
 };
@@ -23,6 +23,9 @@ use super::space;
 /// A share of a frame that is rounding.
 const HAIR: f64 = 1e-6;
 
+/// So many half sizes from the origin, 32 bits are too coarse.
+const FAR: f64 = 16.0;
+
 /// A document and the frames that are written of it.
 pub struct Flight<'a> {
     document: &'a SceneDocument,
@@ -36,8 +39,8 @@ pub struct Flight<'a> {
     /// The scene frames of the poses where they are not evenly spaced.
     own: Option<Vec<f64>>,
     up: Up,
-    /// Half the edge of a cube around everything, once it was asked for.
-    reach: OnceCell<f64>,
+    /// The cube around everything, once it was asked for.
+    bounds: OnceCell<Space>,
     progress: Option<Progress<'a>>,
 }
 
@@ -113,7 +116,7 @@ impl<'a> Flight<'a> {
             own,
             fps,
             up,
-            reach: OnceCell::new(),
+            bounds: OnceCell::new(),
             progress: Some(progress),
         })
     }
@@ -230,7 +233,7 @@ impl<'a> Flight<'a> {
     /// everything if nobody set them.
     pub(crate) fn planes(&self, camera: Camera) -> Result<[f64; 2]> {
         let Camera { near, far } = match camera == Camera::default() {
-            true => Camera::for_size(self.reach()?),
+            true => Camera::for_size(self.bounds()?.half_size),
             false => camera,
         };
         // As files of 32 bits hold them.
@@ -238,13 +241,32 @@ impl<'a> Flight<'a> {
         Ok([near, far].map(scaled))
     }
 
-    fn reach(&self) -> Result<f64> {
-        if let Some(reach) = self.reach.get() {
-            return Ok(*reach);
+    /// The smallest cube around everything, in the document's coordinates.
+    pub(crate) fn bounds(&self) -> Result<Space> {
+        if let Some(bounds) = self.bounds.get() {
+            return Ok(*bounds);
         }
         let object = self.info().object.iter().map(|point| point.position);
-        let reach = space::around(self.scene(), object, self.document_up())?.half_size;
-        Ok(*self.reach.get_or_init(|| reach))
+        let bounds = space::around(self.scene(), object, self.document_up())?;
+        Ok(*self.bounds.get_or_init(|| bounds))
+    }
+
+    /// What places near this one count from in a file of 32 bits; zero unless it is far from the
+    /// origin for the size of everything. `scale` is the length in the world of one unit there.
+    ///
+    /// A whole number of steps, so that 32 bits hold it exactly.
+    pub(crate) fn origin(&self, place: DVec3, scale: f64) -> Result<DVec3> {
+        let half_size = self.bounds()?.half_size * self.options.scale / scale;
+        if !(place.length() > FAR * half_size) {
+            return Ok(DVec3::ZERO);
+        }
+        let step = half_size.log2().floor().exp2();
+        let origin = (place / step).round() * step;
+        Ok(if origin.is_finite() {
+            origin
+        } else {
+            DVec3::ZERO
+        })
     }
 
     /// A place of the document in the file's coordinates.

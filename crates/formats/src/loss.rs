@@ -75,6 +75,8 @@ pub enum Loss {
     Epoch(f64),
     /// Rates beyond the range.
     Rates(usize),
+    /// Everything is far away: roots are in a node there.
+    Origin([f64; 3]),
     /// Markers.
     Markers(usize),
     /// Colours of points.
@@ -183,6 +185,10 @@ impl fmt::Display for Loss {
             }
             Self::RepeatedTimes(n) => counted(f, *n, "pose% at the time of another left out"),
             Self::Rates(n) => write!(f, "{n} rate{} beyond 0 to {MAX_FPS} left out", plural(*n)),
+            Self::Origin([x, y, z]) => write!(
+                f,
+                "far from the origin for 32 bits: all nodes are in a node \"origin\" at {x} {y} {z}"
+            ),
             Self::Markers(n) => counted(f, *n, "marker% left out"),
             Self::PointColours => f.write_str("the colours of points are left out"),
             Self::ColourTracks(n) => counted(f, *n, "changing colour% as at the first frame"),

@@ -80,6 +80,8 @@ pub(super) struct Place {
     pub(super) to: vides_engine::path::Up,
     pub(super) scale: f64,
     pub(super) pivot: DVec3,
+    /// What its positions count from, in the file's coordinates.
+    pub(super) origin: DVec3,
     /// What turns the node's own axes into the file's.
     pub(super) look: DQuat,
 }
@@ -90,7 +92,7 @@ impl Place {
     }
 
     pub(super) fn position(&self, position: DVec3) -> DVec3 {
-        self.direction(position + self.pivot)
+        self.direction(position + self.pivot) - self.origin
     }
 
     pub(super) fn rotation(&self, rotation: DQuat) -> DQuat {
@@ -98,8 +100,8 @@ impl Place {
     }
 }
 
-/// As it is stored: 32 bits, x y z w.
-pub(super) fn stored(rotation: DQuat) -> [f32; 4] {
+/// As it is stored in keys: 32 bits, x y z w.
+fn stored(rotation: DQuat) -> [f32; 4] {
     rotation.normalize().to_array().map(|number| number as f32)
 }
 

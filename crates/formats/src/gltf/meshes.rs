@@ -18,21 +18,34 @@ use crate::flight::Flight;
 pub(super) struct Meshes {
     pub(super) json: Vec<Value>,
     pub(super) materials: Vec<Value>,
-    /// By where a mesh without shapes lies, and its material.
-    known: HashMap<(usize, usize), usize>,
+    /// By where a mesh without shapes lies, its material, and whether its vertices count from
+    /// elsewhere.
+    known: HashMap<(usize, usize, bool), (usize, DVec3)>,
     /// Materials that do not change, by the bits of their colour.
     colours: HashMap<[u32; 3], usize>,
     pub(super) coloured_shapes: bool,
 }
 
-fn scaled(points: impl Iterator<Item = DVec3>, count: usize, scale: f64) -> Result<Vec<f32>> {
+fn scaled(
+    points: impl Iterator<Item = DVec3>,
+    count: usize,
+    scale: f64,
+    origin: DVec3,
+) -> Result<Vec<f32>> {
     let mut all = vec_with_room(3 * count)?;
-    all.extend(points.flat_map(|point| (point * scale).as_vec3().to_array()));
+    all.extend(points.flat_map(|point| (point * scale - origin).as_vec3().to_array()));
     Ok(all)
 }
 
+/// What the vertices of a mesh count from in the file.
+fn origin(flight: &Flight<'_>, points: &[DVec3], world_scale: f64) -> Result<DVec3> {
+    let low = points.iter().copied().fold(DVec3::INFINITY, DVec3::min);
+    let high = points.iter().copied().fold(DVec3::NEG_INFINITY, DVec3::max);
+    flight.origin(low.midpoint(high) * flight.options().scale, world_scale)
+}
+
 impl Meshes {
-    /// The mesh of an object; none if it is empty.
+    /// The mesh of an object and what its vertices count from; none if it is empty.
     pub(super) fn of_object(
         &mut self,
         flight: &Flight<'_>,
@@ -40,13 +53,19 @@ impl Meshes {
         animation: &mut Animation,
         node: &Node,
         object: &Object,
-    ) -> Result<Option<usize>> {
+        world_scale: f64,
+    ) -> Result<Option<(usize, DVec3)>> {
         let mesh = object.mesh();
         if mesh.points.is_empty() {
             return Ok(None);
         }
         let material = self.material(flight, binary, animation, node)?;
-        let key = (std::ptr::from_ref(mesh).addr(), material);
+        let origin = origin(flight, &mesh.points, world_scale)?;
+        let key = (
+            std::ptr::from_ref(mesh).addr(),
+            material,
+            origin != DVec3::ZERO,
+        );
         let alone = object.shapes().is_empty();
         if let Some(&known) = self.known.get(&key).filter(|_| alone) {
             return Ok(Some(known));
@@ -57,12 +76,12 @@ impl Meshes {
         for shape in object.shapes() {
             let pairs = shape.points.iter().zip(&mesh.points);
             let moved = pairs.map(|(to, from)| *to - *from);
-            let moved = scaled(moved, mesh.points.len(), scale)?;
+            let moved = scaled(moved, mesh.points.len(), scale, DVec3::ZERO)?;
             targets.push(json!({"POSITION": binary.floats(&moved, 3, Use::Points)?}));
             names.push(shape.name.as_str().into());
             self.coloured_shapes |= !shape.colours.is_empty();
         }
-        let mut json = self.primitives(binary, mesh, scale, material, &targets)?;
+        let mut json = self.primitives(binary, mesh, (scale, origin), material, &targets)?;
         json["name"] = node.name.as_str().into();
         if !alone {
             json["weights"] = object.weights().iter().map(|&w| w as f32).collect();
@@ -71,21 +90,26 @@ impl Meshes {
         let at = self.add(json)?;
         if alone {
             self.known.try_reserve(1)?;
-            self.known.insert(key, at);
+            self.known.insert(key, (at, origin));
         }
-        Ok(Some(at))
+        Ok(Some((at, origin)))
     }
 
     /// The mesh, or else the wireframe, that a path is shown with.
     pub(super) fn of_document(
         &mut self,
+        flight: &Flight<'_>,
         binary: &mut Binary,
         object: &Wires,
-        scale: f64,
-    ) -> Result<usize> {
+    ) -> Result<(usize, DVec3)> {
+        let scale = flight.options().scale;
         let material = self.of_colour([1.0; 3])?;
+        let origin;
         let json = match object.mesh() {
-            Some(mesh) => self.primitives(binary, mesh, scale, material, &[])?,
+            Some(mesh) => {
+                origin = self::origin(flight, &mesh.points, 1.0)?;
+                self.primitives(binary, mesh, (scale, origin), material, &[])?
+            }
             None => {
                 let mut wires = Mesh {
                     points: vec_with_room(object.len())?,
@@ -100,10 +124,11 @@ impl Meshes {
                     // The first point is never drawn to.
                     wires.lines.push([at as u32 - 1, at as u32]);
                 }
-                self.primitives(binary, &wires, scale, material, &[])?
+                origin = self::origin(flight, &wires.points, 1.0)?;
+                self.primitives(binary, &wires, (scale, origin), material, &[])?
             }
         };
-        self.add(json)
+        Ok((self.add(json)?, origin))
     }
 
     fn add(&mut self, json: Value) -> Result<usize> {
@@ -116,12 +141,12 @@ impl Meshes {
         &self,
         binary: &mut Binary,
         mesh: &Mesh,
-        scale: f64,
+        (scale, origin): (f64, DVec3),
         material: usize,
         targets: &[Value],
     ) -> Result<Value> {
         let count = mesh.points.len();
-        let points = scaled(mesh.points.iter().copied(), count, scale)?;
+        let points = scaled(mesh.points.iter().copied(), count, scale, origin)?;
         let mut attributes = json!({"POSITION": binary.floats(&points, 3, Use::Points)?});
         drop(points);
         if !mesh.colours.is_empty() {

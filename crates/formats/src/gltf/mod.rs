@@ -21,6 +21,8 @@ mod read;
 #[cfg(test)]
 mod tests;
 #[cfg(test)]
+mod tests_far;
+#[cfg(test)]
 mod tests_read;
 mod write;
 

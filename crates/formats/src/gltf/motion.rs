@@ -226,12 +226,11 @@ impl Reader<'_> {
         for channel in at.need("channels")?.list()? {
             let sampler = samplers.element(channel.need("sampler")?.index()?)?;
             if let Some((node, path)) = target_of(channel) {
-                let Some(Some(became)) = self.became.get(node).copied() else {
-                    // A node that is in no scene.
-                    self.left_out += 1;
-                    continue;
-                };
-                self.node(sampler, became, path)?;
+                // Else a node that is in no scene.
+                match self.became.get(node).copied().flatten() {
+                    Some(became) => self.node(sampler, became, path)?,
+                    None => self.left_out += 1,
+                }
                 continue;
             }
             let pointer = channel.get("target").and_then(pointer_of);
@@ -342,7 +341,10 @@ impl Reader<'_> {
 
     /// A node's place, or its weights.
     fn node(&mut self, sampler: At<'_>, became: Became, path: &str) -> Result<()> {
-        let node = became.node;
+        let Some(node) = became.node else {
+            self.left_out += 1;
+            return Ok(());
+        };
         match path {
             // What is a part of the node above does not move: only its weights are that node's.
             "translation" | "rotation" | "scale" if became.absorbed => self.left_out += 1,
@@ -386,7 +388,8 @@ impl Reader<'_> {
         let bright = |colour: [f64; 3]| colour.map(|part| part.clamp(0.0, MAX_COORDINATE));
         match *what {
             Pointed::Visible(node) => {
-                let Some(Some(became)) = self.became.get(node).copied() else {
+                let became = self.became.get(node).copied().flatten();
+                let Some(node) = became.and_then(|became| became.node) else {
                     self.left_out += 1;
                     return Ok(());
                 };
@@ -394,7 +397,7 @@ impl Reader<'_> {
                 let switch = |[on]: [f64; 1]| [f64::from(u8::from(on != 0.0))];
                 let mut keys = keys.map(switch, switch)?;
                 (keys.by, keys.shape) = (Interpolation::Step, Vec::new());
-                self.set(became.node, Channel::Visible, keys)
+                self.set(node, Channel::Visible, keys)
             }
             Pointed::Zoom(camera) => {
                 let keys = self.keys(sampler, 1)?;

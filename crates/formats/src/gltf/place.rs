@@ -7,13 +7,16 @@ use vides_engine::math::orientation::quaternion_from_view;
 use vides_engine::path::Pose;
 use vides_engine::scene::{Channel, Kind, Node, NodeState, Track, Values, Warnings};
 
-use super::keys::{self, Keys, Place, Target, stored};
+use super::keys::{self, Keys, Place, Target};
 use super::of_node::{aims, field, path_poses, rolled, rolls, values};
 use super::write::Writer;
 use crate::blocks::BLOCK;
 use crate::convention::{self, Continued};
 use crate::error::Result;
 use crate::flight::{Flight, succeeded};
+
+/// A rotation by less than this is none.
+const HAIR: f64 = 1e-15;
 
 /// What has a key a frame.
 #[derive(Clone, Copy, Default, PartialEq)]
@@ -33,18 +36,20 @@ pub(super) struct Local {
 }
 
 impl Writer<'_, '_> {
+    /// Places a node. Numbers in JSON are doubles, unlike those of keys and vertices.
     pub(super) fn set_place(&mut self, at: usize, position: DVec3, rotation: DQuat, scale: DVec3) {
         let json = &mut self.nodes[at].json;
         if position != DVec3::ZERO {
-            let position = position.as_vec3().to_array();
+            let position = position.to_array();
             json.insert("translation".into(), position[..].into());
         }
-        let rotation = stored(rotation);
-        if rotation != [0.0, 0.0, 0.0, 1.0] {
+        let rotation = rotation.normalize();
+        if rotation.xyz().abs().max_element() > HAIR {
+            let rotation = rotation.to_array();
             json.insert("rotation".into(), rotation[..].into());
         }
         if scale != DVec3::ONE {
-            let scale = scale.as_vec3().to_array();
+            let scale = scale.to_array();
             json.insert("scale".into(), scale[..].into());
         }
     }
@@ -56,6 +61,10 @@ impl Writer<'_, '_> {
             None => flight.up(),
             Some(_) => flight.document_up(),
         };
+        let origin = match node.parent {
+            None => self.origin,
+            Some(_) => DVec3::ZERO,
+        };
         let from = flight.document_up();
         Place {
             turn: convention::turn(from, to),
@@ -63,6 +72,7 @@ impl Writer<'_, '_> {
             to,
             scale: flight.options().scale,
             pivot: node.pivot,
+            origin,
             look,
         }
     }
@@ -85,10 +95,19 @@ impl Writer<'_, '_> {
         scales: bool,
     ) -> Result<usize> {
         let own = self.push(name)?;
-        let place = self.place(node, look);
+        let mut place = self.place(node, look);
         let flight = self.flight;
         let track = |channel| node.keys().track(&channel);
         let path = node.path().is_some();
+        if let Some(parent) = node
+            .parent
+            .filter(|_| path || track(Channel::Position).is_some())
+        {
+            // Keys in a parent may be far from it.
+            let here = self.locals(at, node, &place, 0, 1, Sample::default())?[0];
+            place.origin = flight.origin(here.position, self.scales[parent])?;
+            self.put_below(own, place.origin)?;
+        }
         let by_keys = |track: Option<&Track>,
                        keys: fn(&Flight<'_>, &Track, Place) -> Option<Keys>| {
             track.and_then(|track| keys(flight, track, place))
@@ -271,7 +290,7 @@ impl Writer<'_, '_> {
                 let pose = flight.pose(state.pose);
                 let turn = convention::rotation(&pose, CameraAxes::OpenGl);
                 seen.push(u8::from(state.visible != 0));
-                positions.push(pose.vrp);
+                positions.push((pose.position() - self.origin).to_array());
                 rotations.push(continued.next(turn).to_array());
             }
         }

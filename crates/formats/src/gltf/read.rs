@@ -44,7 +44,8 @@ struct Reader<'a> {
     nodes: Vec<Node>,
     became: Vec<Became>,
     names: Names,
-    objects: HashMap<usize, Object>,
+    /// By the number of the mesh and the bits of what its vertices count from.
+    objects: HashMap<(usize, [u64; 3]), Object>,
     source: Option<MeshSource>,
     room: Room,
     users: Users,
@@ -158,6 +159,17 @@ fn part_of(at: At<'_>, part: &str) -> bool {
         .is_some_and(|found| found.value == part)
 }
 
+/// Whether a node has neither mesh nor camera nor light.
+fn is_empty(at: At<'_>) -> bool {
+    at.get("mesh").is_none() && at.get("camera").is_none() && light_of(at).is_none()
+}
+
+fn is_visible(at: At<'_>) -> bool {
+    at.get("extensions")
+        .and_then(|all| all.get(extensions::VISIBILITY)?.get("visible"))
+        .is_none_or(|visible| visible.value != false)
+}
+
 /// The light of a node.
 fn light_of(node: At<'_>) -> Option<At<'_>> {
     node.get("extensions")?
@@ -207,14 +219,12 @@ impl<'a> Reader<'a> {
     }
 
     /// The only child of a node that is a part of it.
-    fn part(&self, placed: usize, part: &str) -> Result<Option<usize>> {
+    fn part(&self, node: At<'a>, part: &str) -> Result<Option<usize>> {
         let mut found = None;
-        // Children stand somewhere behind it.
-        if self.children[placed] == 0 {
+        let Some(children) = node.get("children") else {
             return Ok(None);
-        }
-        let node = self.at(placed)?;
-        for child in node.need("children")?.list()? {
+        };
+        for child in children.list()? {
             let Some(number) = child.value.as_u64() else {
                 continue;
             };
@@ -242,33 +252,56 @@ impl<'a> Reader<'a> {
             return Ok(None);
         }
         let pivot = DVec3::from(pivot);
-        let Some(child) = self.part(placed, "pivot")? else {
+        let Some(child) = self.part(node, "pivot")? else {
             return Ok(None);
         };
-        let back = match self.container.local(child).map_err(wrong)? {
+        let back = self
+            .translation(child)?
+            .is_some_and(|by| by.as_vec3() == -pivot.as_vec3());
+        Ok(back.then_some((pivot, child)))
+    }
+
+    /// The translation of a node that has nothing else.
+    fn translation(&self, node: usize) -> Result<Option<DVec3>> {
+        Ok(match self.container.local(node).map_err(wrong)? {
             Local::Parts {
                 translation,
                 rotation,
-                scale,
-            } => {
-                rotation == DQuat::IDENTITY
-                    && scale == DVec3::ONE
-                    && translation.as_vec3() == -pivot.as_vec3()
-            }
-            _ => false,
+                scale: DVec3::ONE,
+            } if rotation == DQuat::IDENTITY => Some(translation),
+            _ => None,
+        })
+    }
+
+    /// What a node that we wrote above others moves them by, since they are far away.
+    fn origin(&self, node: usize, at: At<'a>) -> Result<Option<DVec3>> {
+        let ours = part_of(at, "origin") && !self.moved.contains(&node);
+        match ours && is_empty(at) {
+            true => self.translation(node),
+            false => Ok(None),
+        }
+    }
+
+    /// A mesh that we wrote as a child, since its vertices are far away: the number of that child
+    /// and what they count from.
+    fn vertices(&self, inner: At<'a>) -> Result<Option<(usize, DVec3)>> {
+        let Some(child) = self.part(inner, "vertices")? else {
+            return Ok(None);
         };
-        Ok(back.then_some((pivot, child)))
+        let at = self.root.need("nodes")?.element(child)?;
+        let plain = at.get("children").is_none() && at.get("camera").is_none();
+        if !plain || at.get("mesh").is_none() || light_of(at).is_some() || !is_empty(inner) {
+            return Ok(None);
+        }
+        Ok(self.translation(child)?.map(|origin| (child, origin)))
     }
 
     /// A camera or light that we wrote as a child: the number of that child.
     fn view(&self, placed: usize) -> Result<Option<usize>> {
-        let Some(child) = self.part(placed, "view")? else {
+        let own = self.at(placed)?;
+        let Some(child) = self.part(own, "view")?.filter(|_| is_empty(own)) else {
             return Ok(None);
         };
-        let own = self.at(placed)?;
-        if own.get("mesh").is_some() || own.get("camera").is_some() || light_of(own).is_some() {
-            return Ok(None);
-        }
         let at = self.root.need("nodes")?.element(child)?;
         let turned = match self.container.local(child).map_err(wrong)? {
             Local::Parts {
@@ -299,8 +332,17 @@ impl<'a> Reader<'a> {
             self.became.push(Became {
                 absorbed: true,
                 turned: false,
-                parts: [None; 2],
                 ..above
+            });
+            return Ok(());
+        }
+        let from = above.map_or(DVec3::ZERO, |above| above.origin);
+        if let Some(origin) = self.origin(node, at)? {
+            self.became.push(Became {
+                node: above.and_then(|above| above.node),
+                absorbed: true,
+                origin: from + origin,
+                ..Became::default()
             });
             return Ok(());
         }
@@ -309,44 +351,53 @@ impl<'a> Reader<'a> {
             Some((pivot, child)) => (pivot, self.root.need("nodes")?.element(child)?),
             None => (DVec3::ZERO, at),
         };
+        let vertices = self.vertices(inner)?;
+        let (holder, moved_by) = match vertices {
+            Some((child, origin)) => (self.root.need("nodes")?.element(child)?, origin),
+            None => (inner, DVec3::ZERO),
+        };
         let view = self.view(placed)?;
         let seen = match view {
             Some(child) => self.root.need("nodes")?.element(child)?,
             None => at,
         };
-        self.skins += usize::from(inner.get("skin").is_some());
-        let (mesh, camera, light) = (inner.get("mesh"), seen.get("camera"), light_of(seen));
+        self.skins += usize::from(holder.get("skin").is_some());
+        let (mesh, camera, light) = (holder.get("mesh"), seen.get("camera"), light_of(seen));
         let free = self.children[placed] == 0 && mesh.is_none();
         let both = camera.is_some() && light.is_some();
         let alone = !both && (view.is_some() || free);
         let turned = alone && view.is_none() && (camera.is_some() || light.is_some());
         let kind = match (mesh, camera, light) {
-            (Some(mesh), _, _) => Kind::Object(self.object(inner, mesh)?),
+            (Some(mesh), _, _) => Kind::Object(self.object(holder, mesh, moved_by)?),
             _ => Kind::Group,
         };
-        let name = at.get("name").and_then(|name| name.value.as_str());
-        let wanted = match (name, mesh, camera, light) {
-            (Some(name), ..) if !name.is_empty() => name.to_owned(),
-            (_, Some(_), ..) => format!("object {node}"),
-            (_, _, Some(_), _) => format!("camera {node}"),
-            (_, _, _, Some(_)) => format!("light {node}"),
-            _ => format!("node {node}"),
+        let wanted = match at.get("name").and_then(|name| name.value.as_str()) {
+            Some(name) if !name.is_empty() => name.to_owned(),
+            _ => {
+                let kinds = [(mesh, "object"), (camera, "camera"), (light, "light")];
+                let kind = kinds.iter().find(|(has, _)| has.is_some());
+                format!("{} {node}", kind.map_or("node", |(_, kind)| kind))
+            }
         };
         let mut own = Node::new(&self.names.unique(&wanted)?, kind);
-        own.parent = above.map(|above| above.node);
+        own.parent = above.and_then(|above| above.node);
         own.pivot = pivot;
-        self.place(node, at, &mut own, turned)?;
-        own.rest.visible = at
-            .get("extensions")
-            .and_then(|all| all.get(extensions::VISIBILITY)?.get("visible"))
-            .is_none_or(|visible| visible.value != false);
+        // What the file's positions count from.
+        let from = pivot - from;
+        self.place(node, at, &mut own, turned, from)?;
+        own.rest.visible = is_visible(at);
         let number = self.nodes.len();
         self.became.push(Became {
-            node: number,
+            node: Some(number),
             turned,
-            pivot,
+            pivot: from,
             absorbed: false,
-            parts: [pivoted.map(|(_, child)| child), view],
+            parts: [
+                pivoted.map(|(_, child)| child),
+                view,
+                vertices.map(|(child, _)| child),
+            ],
+            origin: DVec3::ZERO,
         });
         if let Some(mesh) = mesh
             && let Some(material) = looks::material(self.root, mesh)?
@@ -380,7 +431,14 @@ impl<'a> Reader<'a> {
     }
 
     /// Where it stands in its parent.
-    fn place(&mut self, node: usize, at: At<'a>, own: &mut Node, turned: bool) -> Result<()> {
+    fn place(
+        &mut self,
+        node: usize,
+        at: At<'a>,
+        own: &mut Node,
+        turned: bool,
+        from: DVec3,
+    ) -> Result<()> {
         let (position, rotation, scale) = match self.container.local(node).map_err(wrong)? {
             Local::Matrix(matrix) => {
                 let parts = convention::parts(matrix);
@@ -399,7 +457,7 @@ impl<'a> Reader<'a> {
                 (translation, rotation / length, scale)
             }
         };
-        own.rest.position = position - own.pivot;
+        own.rest.position = position - from;
         own.rest.rotation = match turned {
             true => rotation * HALF_TURN.inverse(),
             false => rotation,
@@ -427,15 +485,16 @@ impl<'a> Reader<'a> {
     }
 
     /// An object with the mesh of this number; objects of one mesh share it.
-    fn object(&mut self, node: At<'a>, mesh: At<'a>) -> Result<Object> {
+    fn object(&mut self, node: At<'a>, mesh: At<'a>, origin: DVec3) -> Result<Object> {
         let number = mesh.index()?;
+        let key = (number, origin.to_array().map(f64::to_bits));
         let mesh = self.root.need("meshes")?.element(number)?;
-        let mut object = match self.objects.get(&number) {
+        let mut object = match self.objects.get(&key) {
             Some(known) => known.clone(),
             None => {
-                let object = self.new_object(number, mesh)?;
+                let object = self.new_object(number, mesh, origin)?;
                 self.objects.try_reserve(1)?;
-                self.objects.insert(number, object.clone());
+                self.objects.insert(key, object.clone());
                 object
             }
         };
@@ -455,8 +514,8 @@ impl<'a> Reader<'a> {
         Ok(object)
     }
 
-    fn new_object(&mut self, number: usize, mesh: At<'a>) -> Result<Object> {
-        let part = self
+    fn new_object(&mut self, number: usize, mesh: At<'a>, origin: DVec3) -> Result<Object> {
+        let mut part = self
             .container
             .part(number, &mut self.room, &mut |_| true)
             .map_err(wrong)?;
@@ -467,8 +526,13 @@ impl<'a> Reader<'a> {
         if part.mesh.points.is_empty() {
             return Ok(object);
         }
+        let targets = part.targets.iter_mut().flatten();
+        for point in part.mesh.points.iter_mut().chain(targets) {
+            *point += origin;
+        }
         object.set_mesh(part.mesh)?;
-        if let Some(source) = &self.source {
+        // The file alone would give its vertices without what they count from.
+        if let Some(source) = self.source.as_ref().filter(|_| origin == DVec3::ZERO) {
             object.set_source(Some(MeshSource {
                 part: u32::try_from(number).ok(),
                 ..source.clone()

@@ -4,10 +4,12 @@
 //! children it hangs on a child that is. Where something above scales, its place is no rotation
 //! and position: it stands at the top, frame by frame. A pivot is a child that moves back.
 
+use std::collections::HashMap;
+
 use glam::{DQuat, DVec3};
 use serde_json::{Map, Value, json};
 use vides_document::error::vec_with_room;
-use vides_engine::scene::{Channel, Interpolation, Kind, Node};
+use vides_engine::scene::{Channel, Interpolation, Kind, Node, NodeState, Warnings};
 
 use super::binary::Binary;
 use super::extensions;
@@ -59,6 +61,12 @@ pub(super) struct Writer<'f, 'd> {
     /// Fields of view of the camera that was sampled last.
     pub(super) fields: Vec<[f32; 1]>,
     pub(super) hides: bool,
+    /// How long a unit of each node is in the world at the first frame, where it is longest.
+    pub(super) scales: Vec<f64>,
+    /// What roots count from.
+    pub(super) origin: DVec3,
+    /// The nodes above those that count from elsewhere in their parent.
+    above: HashMap<usize, usize>,
 }
 
 impl<'f, 'd> Writer<'f, 'd> {
@@ -76,6 +84,9 @@ impl<'f, 'd> Writer<'f, 'd> {
             counts: Counts::default(),
             fields: Vec::new(),
             hides: false,
+            scales: world_scales(flight)?,
+            origin: flight.origin(flight.place(flight.bounds()?.centre), 1.0)?,
+            above: HashMap::new(),
         })
     }
 
@@ -107,12 +118,57 @@ impl<'f, 'd> Writer<'f, 'd> {
         progress(nodes.len(), nodes.len());
         for (at, node) in nodes.iter().enumerate() {
             let Some(own) = became[at].node else { continue };
+            let own = self.above.get(&own).copied().unwrap_or(own);
             match node.parent.and_then(|parent| became[parent].inner) {
                 Some(parent) => self.nodes[parent].children.push(own),
                 None => self.roots.push(own),
             }
         }
-        self.object()
+        self.object()?;
+        if self.origin != DVec3::ZERO {
+            let origin = self.push_origin(self.origin)?;
+            self.nodes[origin].children = std::mem::replace(&mut self.roots, vec![origin]);
+        }
+        Ok(())
+    }
+
+    /// A node whose children count from there.
+    fn push_origin(&mut self, origin: DVec3) -> Result<usize> {
+        let at = self.push("origin")?;
+        self.set_place(at, origin, DQuat::IDENTITY, DVec3::ONE);
+        self.mark(at, "origin");
+        Ok(at)
+    }
+
+    /// Says which part of the node above a node is.
+    fn mark(&mut self, at: usize, part: &str) {
+        let extras = json!({"vides": {"part": part}});
+        self.nodes[at].json.insert("extras".into(), extras);
+    }
+
+    /// Puts a node into one that its positions count from, unless that is zero.
+    pub(super) fn put_below(&mut self, own: usize, origin: DVec3) -> Result<()> {
+        if origin != DVec3::ZERO {
+            let above = self.push_origin(origin)?;
+            self.nodes[above].children.push(own);
+            self.above.try_reserve(1)?;
+            self.above.insert(own, above);
+        }
+        Ok(())
+    }
+
+    /// Gives a node a mesh: in a child that its vertices count from, unless that is zero. Returns
+    /// the node that has it.
+    fn hang(&mut self, node: usize, (mesh, origin): (usize, DVec3)) -> Result<usize> {
+        let mut holder = node;
+        if origin != DVec3::ZERO {
+            holder = self.push("vertices")?;
+            self.set_place(holder, origin, DQuat::IDENTITY, DVec3::ONE);
+            self.mark(holder, "vertices");
+            self.nodes[node].children.push(holder);
+        }
+        self.nodes[holder].json.insert("mesh".into(), mesh.into());
+        Ok(holder)
     }
 
     /// The wireframe or mesh that a path is shown with.
@@ -121,12 +177,13 @@ impl<'f, 'd> Writer<'f, 'd> {
         if object.is_empty() {
             return Ok(());
         }
-        let scale = self.flight.options().scale;
-        let mesh = self.meshes.of_document(&mut self.binary, object, scale)?;
+        let mesh = self
+            .meshes
+            .of_document(self.flight, &mut self.binary, object)?;
         let turn = convention::turn(self.flight.document_up(), self.flight.up());
         let at = self.push("object")?;
-        self.nodes[at].json.insert("mesh".into(), mesh.into());
-        self.set_place(at, DVec3::ZERO, turn, DVec3::ONE);
+        self.set_place(at, -self.origin, turn, DVec3::ONE);
+        self.hang(at, mesh)?;
         self.roots.push(at);
         Ok(())
     }
@@ -150,16 +207,18 @@ impl<'f, 'd> Writer<'f, 'd> {
             let own = self.moved(at, node, &node.name, DQuat::IDENTITY, true)?;
             let inner = self.pivot(node, own)?;
             if let Kind::Object(object) = &node.kind {
+                let scale = self.scales[at];
                 let mesh = self.meshes.of_object(
                     self.flight,
                     &mut self.binary,
                     &mut self.animation,
                     node,
                     object,
+                    scale,
                 )?;
                 if let Some(mesh) = mesh {
-                    self.nodes[inner].json.insert("mesh".into(), mesh.into());
-                    self.weights(inner, node)?;
+                    let holder = self.hang(inner, mesh)?;
+                    self.weights(holder, node)?;
                 }
             }
             return Ok(Became {
@@ -192,9 +251,7 @@ impl<'f, 'd> Writer<'f, 'd> {
         let seen = if has_children {
             let child = self.push(&format!("{} view", node.name))?;
             self.set_place(child, DVec3::ZERO, HALF_TURN, DVec3::ONE);
-            self.nodes[child]
-                .json
-                .insert("extras".into(), json!({"vides": {"part": "view"}}));
+            self.mark(child, "view");
             self.nodes[own].children.push(child);
             child
         } else {
@@ -237,14 +294,10 @@ impl<'f, 'd> Writer<'f, 'd> {
         let back = -node.pivot * self.flight.options().scale;
         let child = self.push(&format!("{} pivot", node.name))?;
         self.set_place(child, back, DQuat::IDENTITY, DVec3::ONE);
-        let extras = |value: Value| json!({"vides": value});
         let pivot = (-back).to_array();
-        self.nodes[child]
-            .json
-            .insert("extras".into(), extras(json!({"part": "pivot"})));
-        self.nodes[own]
-            .json
-            .insert("extras".into(), extras(json!({"pivot": pivot})));
+        self.mark(child, "pivot");
+        let extras = json!({"vides": {"pivot": pivot}});
+        self.nodes[own].json.insert("extras".into(), extras);
         self.nodes[own].children.push(child);
         Ok(child)
     }
@@ -300,6 +353,9 @@ impl<'f, 'd> Writer<'f, 'd> {
         if self.meshes.coloured_shapes {
             report.add(Loss::PointColours);
         }
+        if self.origin != DVec3::ZERO {
+            report.add(Loss::Origin(self.origin.to_array()));
+        }
         report.count(self.flight.scene().markers().len(), Loss::Markers);
     }
 
@@ -354,6 +410,21 @@ impl<'f, 'd> Writer<'f, 'd> {
         json.insert("asset".into(), asset(self.flight));
         (json, self.binary.bytes)
     }
+}
+
+fn world_scales(flight: &Flight<'_>) -> Result<Vec<f64>> {
+    let scene = flight.scene();
+    let count = scene.nodes().len();
+    let mut states = vec_with_room(count)?;
+    states.resize(count, NodeState::default());
+    scene.evaluate(flight.frame(0), &mut states, &mut Warnings::default())?;
+    let mut scales = vec_with_room(count)?;
+    scales.extend(states.iter().map(|state| {
+        let axes = state.world().matrix3;
+        let lengths = [axes.x_axis, axes.y_axis, axes.z_axis].map(DVec3::length);
+        lengths.into_iter().fold(0.0, f64::max)
+    }));
+    Ok(scales)
 }
 
 /// What is ours, beside what every file says of itself.
