@@ -14,6 +14,7 @@ use vides_engine::tools::fit::{self, Tolerance};
 
 use super::convention::Continued;
 use super::error::{Cause, Place, Result};
+use super::keyframes::Keyframes;
 use super::loss::{Loss, Report};
 use super::options::{As, Options};
 
@@ -26,8 +27,9 @@ pub(super) const DEFAULT_FPS: f64 = 25.0;
 /// Fewer poses in a second are not taken as frames.
 pub(super) const SEEN_AS_MOTION: f64 = 12.0;
 
-/// What a file holds.
+/// What a file holds. There is one at a time: boxing the larger kind gains nothing.
 #[derive(Debug)]
+#[allow(clippy::large_enum_variant)]
 pub enum Content {
     /// Nodes that keep their keys.
     Scene(Box<SceneDocument>),
@@ -58,6 +60,8 @@ pub struct Recording {
     pub comment: String,
     /// The name of the world's unit, may be empty.
     pub unit: String,
+    /// The keys that the poses come of, if the file says: a document is made of them.
+    pub keyframes: Option<Box<Keyframes>>,
     /// Places that belong to it beside the positions, to be shown as points.
     pub points: Vec<DVec3>,
 }
@@ -139,7 +143,7 @@ impl Recording {
     /// # Errors
     /// [`Cause::Empty`], [`Cause::Order`]; those of the fit and of scenes.
     pub(super) fn into_scene(
-        self,
+        mut self,
         options: &Options,
         report: &mut Report,
     ) -> Result<SceneDocument> {
@@ -148,6 +152,9 @@ impl Recording {
         }
         let otherwise = self.rate().unwrap_or(DEFAULT_FPS);
         let fps = rate(&[self.fps], options, otherwise, report);
+        if let Some(keyframes) = self.keyframes.take() {
+            return self.of_keyframes(&keyframes, fps, options);
+        }
         let times = self.times(fps);
         if let Some(times) = &times
             && !times.is_sorted_by(|a, b| a < b)
@@ -164,8 +171,36 @@ impl Recording {
         };
         let scene = match options.as_.unwrap_or(usual) {
             As::Path => self.fitted(times.as_deref(), fps, up, options, report)?,
-            As::Keys => self.keyed(times, up)?,
+            As::Keys => self.keyed(times, up, &Interpolation::Linear)?,
         };
+        self.document(scene, fps)
+    }
+
+    /// A scene of keys that a spline joins: the points of a path, or keys.
+    fn of_keyframes(
+        mut self,
+        keyframes: &Keyframes,
+        fps: f64,
+        options: &Options,
+    ) -> Result<SceneDocument> {
+        let up = options.up.or(self.up).unwrap_or_default();
+        let (poses, seconds) = keyframes.as_list()?;
+        self.poses = poses;
+        self.seconds = Some(seconds);
+        // What stands still is no path.
+        let usual = if keyframes.moves() {
+            As::Path
+        } else {
+            As::Keys
+        };
+        let scene = match options.as_.unwrap_or(usual) {
+            As::Keys => self.keyed(self.times(fps), up, &Interpolation::CatmullRom)?,
+            As::Path => Scene::of_path(keyframes.path(self.space(up)?, fps)?)?,
+        };
+        self.document(scene, fps)
+    }
+
+    fn document(self, scene: Scene, fps: f64) -> Result<SceneDocument> {
         let first = self
             .frames
             .as_ref()
@@ -238,7 +273,7 @@ impl Recording {
         Ok(Space::around(places(), up)?)
     }
 
-    fn keyed(&self, times: Option<Vec<f64>>, up: Up) -> Result<Scene> {
+    fn keyed(&self, times: Option<Vec<f64>>, up: Up, by: &Interpolation) -> Result<Scene> {
         let count = self.poses.len();
         let numbers = |width: usize| vec_with_room::<f64>(width * count);
         let (mut positions, mut rotations, mut zooms) = (numbers(3)?, numbers(4)?, numbers(1)?);
@@ -260,8 +295,8 @@ impl Recording {
             (Channel::Rotation, rotations),
             (Channel::Zoom, zooms),
         ] {
-            let by = Interpolation::Linear;
-            camera.set_track(Track::new(channel, by, frames.clone(), values, Vec::new())?)?;
+            let track = Track::new(channel, by.clone(), frames.clone(), values, Vec::new());
+            camera.set_track(track?)?;
         }
         let mut scene = Scene::new();
         scene.set_space(self.space(up)?)?;
@@ -307,7 +342,7 @@ impl Recording {
     }
 }
 
-fn check(pose: &Pose) -> Result<(), vides_engine::Error> {
+pub(super) fn check(pose: &Pose) -> Result<(), vides_engine::Error> {
     vides_engine::path::camera_path::check_zoom(pose.zoom)?;
     let finite = [pose.position(), pose.view(), pose.up()];
     if !finite.iter().all(|vector| vector.is_finite())

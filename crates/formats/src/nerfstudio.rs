@@ -1,18 +1,22 @@
 //! `camera_path.json` of nerfstudio (Tancik et al. 2023), what `ns-render camera-path` renders: one
-//! entry a frame, and the keys that its viewer shows and joins by its own spline. The camera
-//! looks along −z, z is up, fields of view are vertical and in degrees.
+//! entry a frame, and the keys that its viewer shows and joins by a spline of its own: Kochanek and
+//! Bartels, its tension in `smoothness_value`, natural or closed ends. The camera looks along −z, z
+//! is up, fields of view are vertical and in degrees.
 
 use std::io::Write;
 
 use glam::DMat4;
+use vides_document::error::TooMany;
+use vides_engine::limits::MAX_FRAMES;
 use vides_engine::math::camera::CameraAxes;
 use vides_engine::path::{Pose, Timeline, Up};
 use vides_engine::scene::Channel;
 
 use super::content::{Content, Recording};
-use super::error::{Cause, Result, Wanted};
+use super::error::{Cause, Error, Result, Wanted};
 use super::flight::Flight;
 use super::format::Format;
+use super::keyframes::Keyframes;
 use super::lens::Lenses;
 use super::loss::{Loss, Report};
 use super::options::Options;
@@ -63,8 +67,17 @@ fn read(source: &Source, _: &Options, report: &mut Report) -> Result<Content> {
         if let (None, Some(seconds)) = (recording.fps, root.get("seconds")) {
             recording.fps = Some(recording.poses.len() as f64 / seconds.positive()?);
         }
-    } else {
-        read_keys(root, &mut recording, &mut lenses, report)?;
+    }
+    let has_keys = root.get("keyframes").map(At::list).transpose()?;
+    let has_keys = has_keys.is_some_and(|keys| keys.len() > 0);
+    if recording.poses.is_empty() || (has_keys && !is_ours(root)?) {
+        let mut of_keys = Lenses::default();
+        match read_keys(root, &mut recording, &mut of_keys, report) {
+            Ok(()) => lenses = of_keys,
+            Err(error) if recording.poses.is_empty() => return Err(error),
+            // What is rendered is there all the same.
+            Err(error) => report.add(Loss::LeftOut((&error).into())),
+        }
     }
     lenses.tell(report);
     tell_rest(root, recording.poses.len(), report);
@@ -93,7 +106,26 @@ fn zoom(degrees: Option<At<'_>>, lenses: &mut Lenses) -> Result<f64> {
     Ok(lenses.clamped(convention::zoom_of_field(field)))
 }
 
-/// The keys of the viewer, where there is nothing but them.
+/// Whether VIDES wrote this: its keys are those of its own curve, which no spline of theirs joins.
+/// Files of old have no such mark, but a default transition of one frame that no key uses.
+fn is_ours(root: At<'_>) -> Result<bool> {
+    if root.get("generator").is_some_and(|at| at.value == "VIDES") {
+        return Ok(true);
+    }
+    let number = |key| root.get(key).and_then(|at| at.value.as_f64());
+    let (Some(step), Some(fps)) = (number("default_transition_sec"), number("fps")) else {
+        return Ok(false);
+    };
+    let a_frame = (step * fps - 1.0).abs() < 1e-9 && number("smoothness_value") == Some(0.0);
+    let mut keys = root.need("keyframes")?.list()?.enumerate();
+    let own = |key: At<'_>| {
+        key.get("override_transition_enabled")
+            .map(|at| at.value == true)
+    };
+    Ok(a_frame && keys.all(|(at, key)| own(key) == Some(at > 0)))
+}
+
+/// The keys of the viewer.
 fn read_keys(
     root: At<'_>,
     recording: &mut Recording,
@@ -101,7 +133,8 @@ fn read_keys(
     report: &mut Report,
 ) -> Result<()> {
     report.add(Loss::OwnSpline);
-    let mut seconds: Vec<f64> = Vec::new();
+    let mut keyframes = Keyframes::default();
+    let mut timed = true;
     for key in root.need("keyframes")?.list()? {
         let matrix = key.need("matrix")?;
         let rows = match matrix.value.as_str() {
@@ -116,20 +149,63 @@ fn read_keys(
         };
         let zoom = zoom(key.get("fov").or(root.get("default_fov")), lenses)?;
         let pose = matrix.pose(rows, CameraAxes::OpenGl, zoom)?;
-        if let Some(time) = key_seconds(root, key, seconds.last().copied())? {
-            if seconds.last().is_some_and(|&before| time <= before) {
+        if keyframes.poses.len() >= MAX_FRAMES {
+            return Err(Error::Document(TooMany::SceneFrames(MAX_FRAMES).into()));
+        }
+        keyframes.poses.try_reserve(1)?;
+        keyframes.poses.push(pose);
+        let seconds = &mut keyframes.seconds;
+        let before = seconds.last().copied();
+        match key_seconds(root, key, before)? {
+            Some(time) if before.is_some_and(|before| time <= before) => {
                 return Err(key.wrong(Cause::Order));
             }
-            seconds.try_reserve(1)?;
-            seconds.push(time);
+            Some(time) => {
+                seconds.try_reserve(1)?;
+                seconds.push(time);
+            }
+            None => timed = false,
         }
-        recording.push(pose)?;
     }
-    if seconds.len() == recording.poses.len() {
-        recording.seconds = Some(seconds);
-    } else {
-        report.add(Loss::Times);
+    close(root, &mut keyframes)?;
+    if recording.poses.is_empty() {
+        recording.poses.try_reserve(keyframes.poses.len())?;
+        recording.poses.extend_from_slice(&keyframes.poses);
+        recording.seconds = timed.then(|| keyframes.seconds.clone());
     }
+    match timed {
+        true if keyframes.poses.len() > 1 => recording.keyframes = Some(Box::new(keyframes)),
+        true => {}
+        false => report.add(Loss::Times),
+    }
+    Ok(())
+}
+
+/// The tension of the viewer's spline, and whether it is closed.
+fn close(root: At<'_>, keyframes: &mut Keyframes) -> Result<()> {
+    let first = root.need("keyframes")?.list()?.next();
+    let Some(first) = first.filter(|_| keyframes.poses.len() > 1) else {
+        return Ok(());
+    };
+    // Half the tangents of the old viewer's are the tension of three.js.
+    let old = first.get("properties").is_some();
+    let smooth = root.get("smoothness_value").map(At::number).transpose()?;
+    let tension = smooth.map_or(0.0, |value| if old { 1.0 - 2.0 * value } else { value });
+    keyframes.tension = tension.clamp(-1.0, 1.0);
+    if !is_closed(root) {
+        return Ok(());
+    }
+    keyframes.closing = match old {
+        // Its shares are of the way to the last key.
+        true => {
+            let seconds = root.need("seconds")?.positive()?;
+            let count = keyframes.poses.len() as f64;
+            let share = (count - 1.0) / count;
+            keyframes.seconds.iter_mut().for_each(|time| *time *= share);
+            Some(seconds / count)
+        }
+        false => transition(root, first)?,
+    };
     Ok(())
 }
 
@@ -151,14 +227,27 @@ fn key_seconds(root: At<'_>, key: At<'_>, before: Option<f64>) -> Result<Option<
     let Some(before) = before else {
         return Ok(Some(0.0));
     };
+    Ok(transition(root, key)?.map(|step| before + step))
+}
+
+/// How long it takes from the key before to this one, in the first from the last.
+fn transition(root: At<'_>, key: At<'_>) -> Result<Option<f64>> {
     let enabled = key.get("override_transition_enabled");
     let own = key.get("override_transition_sec");
     let own = own.filter(|_| enabled.is_none_or(|at| at.value.as_bool() != Some(false)));
-    let step = own.or(root.get("default_transition_sec"));
-    Ok(step
-        .map(At::positive)
-        .transpose()?
-        .map(|step| before + step))
+    if let Some(step) = own.or(root.get("default_transition_sec")) {
+        return step.positive().map(Some);
+    }
+    // Files of old have none: all are alike.
+    let Some(seconds) = root.get("seconds") else {
+        return Ok(None);
+    };
+    let count = root.need("keyframes")?.list()?.len() - usize::from(!is_closed(root));
+    Ok(Some(seconds.positive()? / count.max(1) as f64))
+}
+
+fn is_closed(root: At<'_>) -> bool {
+    root.get("is_cycle").is_some_and(|at| at.value == true)
 }
 
 /// Reports by which factor the viewer's world was made of the capture, if a file beside says it.
@@ -179,9 +268,6 @@ fn tell_rest(root: At<'_>, poses: usize, report: &mut Report) {
     if root.get("crop").is_some() {
         report.not_taken("crop", 1);
     }
-    if root.get("is_cycle").and_then(|at| at.value.as_bool()) == Some(true) {
-        report.not_taken("is_cycle", 1);
-    }
 }
 
 /// All before the first frame: what holds for the whole, and the keys.
@@ -195,8 +281,8 @@ fn head(flight: &Flight<'_>) -> Result<Vec<u8>> {
     // Writing into a vector cannot fail.
     let _ = write!(
         head,
-        "{{\n  \"camera_type\": \"perspective\",\n  \"render_width\": {width},\n  \
-         \"render_height\": {height},\n  \"fps\": {fps},\n  \"seconds\": {:?},\n  \
+        "{{\n  \"generator\": \"VIDES\",\n  \"camera_type\": \"perspective\",\n  \
+         \"render_width\": {width},\n  \"render_height\": {height},\n  \"fps\": {fps},\n  \"seconds\": {:?},\n  \
          \"is_cycle\": false,\n  \"smoothness_value\": 0.0,\n  \"default_fov\": {field:?},\n  \
          \"default_transition_sec\": {:?},\n  \"keyframes\": [",
         count as f64 / fps,
@@ -274,3 +360,7 @@ fn keys(flight: &Flight<'_>) -> Result<Vec<usize>> {
     keys.dedup();
     Ok(keys)
 }
+
+#[cfg(test)]
+#[path = "nerfstudio_tests.rs"]
+mod tests;

@@ -169,6 +169,9 @@ german! {
         Epoch(start) => "die Zeiten beginnen bei {} s: hier zählen sie ab 0",
             Language::German.written(start.to_string());
         Rates(count) => "Bildraten außerhalb von 0 bis {MAX_FPS} bleiben weg: {count}";
+        Origin(place) =>
+            "zu weit vom Ursprung für 32 Bit: alle Knoten liegen in einem Knoten „origin“ bei {}",
+            place.map(number).join(" ");
         Markers(count) => "Marken bleiben weg: {count}";
         PointColours => "die Farben von Punkten bleiben weg";
         ColourTracks(count) => "Farben, die sich ändern, wie am Anfang: {count}";

@@ -2,13 +2,6 @@
 
 use glam::DVec3;
 
-use crate::error::Error;
-
-/// Errors of the container, which know no more than their reason.
-pub(super) fn wrong(error: vides_document::mesh::Error) -> Error {
-    vides_document::Error::from(error).into()
-}
-
 /// What a node of the file becomes.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Became {

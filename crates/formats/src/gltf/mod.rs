@@ -10,6 +10,8 @@ mod channels;
 mod clips;
 mod compact;
 mod extensions;
+mod extras;
+mod key_rate;
 mod keys;
 mod lights;
 mod looks;
@@ -25,6 +27,7 @@ mod tests_far;
 #[cfg(test)]
 mod tests_read;
 mod write;
+mod wrong;
 
 use std::io::{self, Write};
 

@@ -7,12 +7,12 @@ use std::collections::{HashMap, HashSet};
 
 use glam::DQuat;
 use vides_document::error::{TooMany, vec_with_room};
-use vides_document::mesh::Error as MeshError;
 use vides_document::mesh::gltf::{Accessor, Container};
 use vides_engine::limits::{MAX_COORDINATE, MAX_KEYS, MAX_SCENE_NUMBERS};
 use vides_engine::scene::{Channel, Interpolation, Node, Track, Warnings};
 
-use super::became::{Became, wrong};
+use super::became::Became;
+use super::wrong::wrong_at;
 use super::{extensions, looks};
 use crate::convention;
 use crate::convention::HALF_TURN;
@@ -256,29 +256,25 @@ impl Reader<'_> {
             let at = sampler.need(name)?;
             // Without a buffer all its numbers are 0.
             let accessor = self.container.accessor(at.value, MAX_SCENE_NUMBERS);
-            let unfit = |error| match error {
-                MeshError::File(problem) => at.wrong(Cause::Syntax((&problem).into())),
-                other => wrong(other),
-            };
-            Ok((at, accessor.map_err(unfit)?))
+            Ok((at, accessor.map_err(|error| wrong_at(at, error))?))
         };
         let (times_at, times) = accessor("input")?;
         let (values_at, values) = accessor("output")?;
         let by = sampler.get("interpolation");
-        let mut by = match by.map(At::text).transpose()? {
+        let mut way = match by.map(At::text).transpose()? {
             None | Some("LINEAR") => Interpolation::Linear,
             Some("STEP") => Interpolation::Step,
             Some("CUBICSPLINE") => Interpolation::Hermite,
-            Some(_) => {
-                return Err(sampler.wrong(Cause::Unsupported {
-                    name: "this interpolation".into(),
+            Some(other) => {
+                return Err(by.unwrap_or(sampler).wrong(Cause::Unsupported {
+                    name: other.chars().take(64).collect::<String>().as_str().into(),
                     help: "",
                 }));
             }
         };
         let (count, parts) = (
             times.count(),
-            if by == Interpolation::Hermite { 3 } else { 1 },
+            if way == Interpolation::Hermite { 3 } else { 1 },
         );
         let wanted = count.checked_mul(parts * width);
         let found = values.count().checked_mul(values.width());
@@ -315,13 +311,13 @@ impl Reader<'_> {
             }
         }
         if count == 1 {
-            (by, shape) = (Interpolation::Step, Vec::new());
+            (way, shape) = (Interpolation::Step, Vec::new());
         }
         Ok(Keys {
             frames,
             values: kept,
             shape,
-            by,
+            by: way,
         })
     }
 

@@ -105,7 +105,7 @@ impl Writer<'_, '_> {
         {
             // Keys in a parent may be far from it.
             let here = self.locals(at, node, &place, 0, 1, Sample::default())?[0];
-            place.origin = flight.origin(here.position, self.world_scale(parent)?)?;
+            place.origin = flight.origin(here.position, self.scales[parent])?;
             self.put_below(own, place.origin)?;
         }
         let by_keys = |track: Option<&Track>,

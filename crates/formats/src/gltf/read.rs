@@ -15,10 +15,12 @@ use vides_document::{Info, SceneDocument, mesh_source};
 use vides_engine::limits::MAX_FILE_BYTES;
 use vides_engine::scene::{Kind, MeshSource, Node, Object, Scene, Shape};
 
-use super::became::{Became, wrong};
+use super::became::Became;
 use super::clips::Clips;
+use super::extras::{is_empty, is_visible, light_of, ours, part_of};
 use super::motion::{self, Users};
-use super::{extensions, looks};
+use super::wrong::{of_file, of_mesh, of_place, of_tree};
+use super::{key_rate, looks};
 use crate::content::{DEFAULT_FPS, one_line, rate, shortened};
 use crate::convention;
 use crate::convention::HALF_TURN;
@@ -62,9 +64,10 @@ pub(super) fn read(
     report: &mut Report,
 ) -> Result<SceneDocument> {
     let mut beside = |name: &str| source.beside(name, MAX_FILE_BYTES).ok();
-    let container = Container::open(Cow::Borrowed(&source.bytes), &mut beside).map_err(wrong)?;
+    let container = Container::open(Cow::Borrowed(&source.bytes), &mut beside);
+    let container = container.map_err(|error| of_file(source, error))?;
     let root = At::root(container.json());
-    let tree = container.tree().map_err(wrong)?;
+    let tree = container.tree().map_err(|error| of_tree(root, error))?;
     if tree.is_empty() {
         return Err(root.wrong(Cause::Empty));
     }
@@ -77,7 +80,8 @@ pub(super) fn read(
     }
     let vides = root.get("asset").and_then(ours);
     let number = |key| vides?.get(key)?.value.as_f64();
-    let fps = rate(&[number("fps")], options, DEFAULT_FPS, report);
+    let otherwise = key_rate::guessed(&container, &clips.taken)?.unwrap_or(DEFAULT_FPS);
+    let fps = rate(&[number("fps")], options, otherwise, report);
     reader.animate(&clips.taken, fps, report)?;
     if !clips.left.is_empty() {
         report.add(Loss::OtherAnimations((&clips.left.join(", ")).into()));
@@ -146,35 +150,6 @@ fn above_the_camera(root: At<'_>, tree: &[Placed]) -> Result<HashSet<usize>> {
         }
     }
     Ok(above)
-}
-
-/// What is ours at a place of the file.
-fn ours(at: At<'_>) -> Option<At<'_>> {
-    at.get("extras")?.get("vides")
-}
-
-fn part_of(at: At<'_>, part: &str) -> bool {
-    ours(at)
-        .and_then(|vides| vides.get("part"))
-        .is_some_and(|found| found.value == part)
-}
-
-/// Whether a node has neither mesh nor camera nor light.
-fn is_empty(at: At<'_>) -> bool {
-    at.get("mesh").is_none() && at.get("camera").is_none() && light_of(at).is_none()
-}
-
-fn is_visible(at: At<'_>) -> bool {
-    at.get("extensions")
-        .and_then(|all| all.get(extensions::VISIBILITY)?.get("visible"))
-        .is_none_or(|visible| visible.value != false)
-}
-
-/// The light of a node.
-fn light_of(node: At<'_>) -> Option<At<'_>> {
-    node.get("extensions")?
-        .get(extensions::LIGHTS)?
-        .get("light")
 }
 
 impl<'a> Reader<'a> {
@@ -261,9 +236,15 @@ impl<'a> Reader<'a> {
         Ok(back.then_some((pivot, child)))
     }
 
+    fn local(&self, node: usize) -> Result<Local> {
+        let at = self.root.need("nodes")?.element(node)?;
+        let local = self.container.local(node);
+        local.map_err(|error| of_place(at, error))
+    }
+
     /// The translation of a node that has nothing else.
     fn translation(&self, node: usize) -> Result<Option<DVec3>> {
-        Ok(match self.container.local(node).map_err(wrong)? {
+        Ok(match self.local(node)? {
             Local::Parts {
                 translation,
                 rotation,
@@ -303,7 +284,7 @@ impl<'a> Reader<'a> {
             return Ok(None);
         };
         let at = self.root.need("nodes")?.element(child)?;
-        let turned = match self.container.local(child).map_err(wrong)? {
+        let turned = match self.local(child)? {
             Local::Parts {
                 translation,
                 rotation,
@@ -439,7 +420,7 @@ impl<'a> Reader<'a> {
         turned: bool,
         from: DVec3,
     ) -> Result<()> {
-        let (position, rotation, scale) = match self.container.local(node).map_err(wrong)? {
+        let (position, rotation, scale) = match self.local(node)? {
             Local::Matrix(matrix) => {
                 let parts = convention::parts(matrix);
                 self.sheared += usize::from(parts.sheared);
@@ -518,7 +499,7 @@ impl<'a> Reader<'a> {
         let mut part = self
             .container
             .part(number, &mut self.room, &mut |_| true)
-            .map_err(wrong)?;
+            .map_err(|error| of_mesh(self.container, mesh, error))?;
         let names = mesh
             .get("extras")
             .and_then(|extras| extras.get("targetNames")?.value.as_array());

@@ -75,7 +75,7 @@ points = [[490000012.3, 510000030.0, 30070.0], [490005077.0, 510000190.0, 30310.
 triangles = [[0, 1, 2]]
 "#;
 
-fn far(up: &str) -> SceneDocument {
+pub(super) fn far(up: &str) -> SceneDocument {
     let space =
         format!("[space]\ncentre = [4.9e6, 5.1e6, 300.0]\nhalf_size = 50.0\nup = \"{up}\"\n");
     SceneDocument::from_toml(&FAR.replacen("version = 1\n", &format!("version = 1\n{space}"), 1))

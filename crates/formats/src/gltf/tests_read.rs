@@ -249,6 +249,16 @@ fn what_is_wrong_is_told_with_its_place() {
         "channels": [{"sampler": 0, "target": {"node": 0, "path": "translation"}}]}]"#;
     let moved = file(animation, &[("SCALAR", &[1.0, 1.0]), ("VEC3", &[0.0; 6])]);
     let few = file(animation, &[("SCALAR", &[1.0, 2.0]), ("VEC3", &[0.0; 3])]);
+    let gone = animation.replace("\"output\": 1", "\"output\": 7");
+    let gone = file(&gone, &[("SCALAR", &[1.0, 2.0])]);
+    let cubic = animation.replace(
+        "\"output\": 1",
+        "\"output\": 1, \"interpolation\": \"CUBIC\"",
+    );
+    let cubic = file(&cubic, &[("SCALAR", &[1.0, 2.0]), ("VEC3", &[0.0; 6])]);
+    let mesh = r#""nodes": [{"mesh": 0}], "meshes": [{"primitives": [{"attributes": {"POSITION": 0}},
+        {"attributes": {"POSITION": 0, "COLOR_0": 4}}]}]"#;
+    let mesh = file(mesh, &[("VEC3", &[0.0; 9])]);
     let nan = file(
         animation,
         &[("SCALAR", &[1.0, 2.0]), ("VEC3", &[f32::NAN; 6])],
@@ -264,6 +274,38 @@ fn what_is_wrong_is_told_with_its_place() {
             "animations[0].samplers[0].output: expected 6 numbers, found 3",
         ),
         (nan, "key 1: a value must be a finite number"),
+        (
+            gone,
+            "animations[0].samplers[0].output: the file has no such number",
+        ),
+        (
+            cubic,
+            "animations[0].samplers[0].interpolation: CUBIC is not read",
+        ),
+        (
+            mesh,
+            "meshes[0].primitives[1].attributes.COLOR_0: the file has no such number",
+        ),
+        (
+            format!(r#"{head}"translation": [1, 2]}}]}}"#),
+            "nodes[0].translation: expected 3 numbers, found 2",
+        ),
+        (
+            format!(r#"{head}"children": [1]}}, {{"children": [4]}}]}}"#),
+            "nodes[1].children[0]: there is no number 4: there are 2",
+        ),
+        (
+            format!(r#"{head}}}], "scenes": [{{"nodes": [0, 3]}}]}}"#),
+            "scenes[0].nodes[1]: there is no number 3: there are 1",
+        ),
+        (
+            r#"{"asset": {"version": "1.0"}, "nodes": {}}"#.to_owned(),
+            "asset.version: glTF 1.0 is not read",
+        ),
+        (
+            "{\"asset\": {\"version\": \"2.0\"},\n\"nodes\": [}".to_owned(),
+            "line 2: ",
+        ),
         (format!(r#"{head}"camera": 3}}]}}"#), "cameras is not there"),
         (
             format!(r#"{head}"rotation": [0, 0, 0, 0]}}]}}"#),
@@ -284,11 +326,51 @@ fn what_is_wrong_is_told_with_its_place() {
         ),
         (
             format!(r#"{head}}}], "buffers": [{{"byteLength": 1, "uri": "../a.bin"}}]}}"#),
-            "a buffer of this file is gone",
+            "buffers[0].uri: a buffer of this file is gone",
         ),
     ] {
         let error = read(json.clone().into_bytes()).unwrap_err().to_string();
         assert!(error.contains(said), "{json}: {error}");
+    }
+}
+
+/// As many keys as there are in a second, or the rate at which they are at whole frames.
+#[test]
+fn a_file_without_a_rate_has_that_of_its_keys() {
+    let rest = r#""nodes": [{}], "animations": [{
+        "samplers": [{"input": 0, "output": 1}, {"input": 2, "output": 3}],
+        "channels": [{"sampler": 0, "target": {"node": 0, "path": "translation"}},
+            {"sampler": 1, "target": {"node": 0, "path": "scale"}}]}]"#;
+    let every = |step: f64, count: u32| -> Vec<f32> {
+        let keys = 0..count;
+        keys.map(|key| (f64::from(key) * step) as f32).collect()
+    };
+    let film = every(1001.0 / 24000.0, 400);
+    let mut gaps = every(1.0 / 30.0, 100);
+    gaps.drain(20..50);
+    for (seconds, fps) in [
+        (every(1.0 / 24.0, 30), 24.0),
+        (film, 24000.0 / 1001.0),
+        (gaps, 30.0),
+        // Every third frame of 24, every second second, none that fits.
+        (every(0.125, 9), 24.0),
+        (every(2.0, 4), 25.0),
+        (vec![0.0, 0.1234, 0.5678], 25.0),
+    ] {
+        let values = vec![1.0; 3 * seconds.len()];
+        let lists = [
+            ("SCALAR", &seconds[..]),
+            ("VEC3", &values),
+            ("SCALAR", &[0.0, 0.7]),
+            ("VEC3", &[1.0; 6]),
+        ];
+        let read = taken(&file(rest, &lists));
+        assert_eq!(read.document.info.fps, fps, "{seconds:?}");
+        let frames = read.document.scene.nodes()[0].keys().tracks()[0]
+            .frames()
+            .to_vec();
+        let whole = frames.iter().all(|frame| frame.fract() == 0.0);
+        assert!(whole || fps == 25.0, "{frames:?}");
     }
 }
 
@@ -325,7 +407,8 @@ points = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 1.0, 0.0]]
 #[test]
 fn any_bytes_do_no_harm() {
     let small = SceneDocument::from_toml(SMALL).unwrap();
-    for (document, every) in [(small, 1), (everything(), 17)] {
+    let far = super::tests_far::far("z");
+    for (document, every) in [(small, 1), (everything(), 17), (far, 17)] {
         for format in ["glb", "gltf"] {
             let (file, _) = written(&document, format, &Options::default());
             let format = by_name(format).unwrap();

@@ -9,7 +9,7 @@ use std::collections::HashMap;
 use glam::{DQuat, DVec3};
 use serde_json::{Map, Value, json};
 use vides_document::error::vec_with_room;
-use vides_engine::scene::{Channel, Interpolation, Kind, Node};
+use vides_engine::scene::{Channel, Interpolation, Kind, Node, NodeState, Warnings};
 
 use super::binary::Binary;
 use super::extensions;
@@ -61,6 +61,8 @@ pub(super) struct Writer<'f, 'd> {
     /// Fields of view of the camera that was sampled last.
     pub(super) fields: Vec<[f32; 1]>,
     pub(super) hides: bool,
+    /// How long a unit of each node is in the world at the first frame, where it is longest.
+    pub(super) scales: Vec<f64>,
     /// What roots count from.
     pub(super) origin: DVec3,
     /// The nodes above those that count from elsewhere in their parent.
@@ -82,6 +84,7 @@ impl<'f, 'd> Writer<'f, 'd> {
             counts: Counts::default(),
             fields: Vec::new(),
             hides: false,
+            scales: world_scales(flight)?,
             origin: flight.origin(flight.place(flight.bounds()?.centre), 1.0)?,
             above: HashMap::new(),
         })
@@ -154,14 +157,6 @@ impl<'f, 'd> Writer<'f, 'd> {
         Ok(())
     }
 
-    /// How long a unit of a node is in the world, where it is longest.
-    pub(super) fn world_scale(&self, at: usize) -> Result<f64> {
-        let state = self.flight.states(at, 0, 1)?;
-        let axes = state[0].world().matrix3;
-        let lengths = [axes.x_axis, axes.y_axis, axes.z_axis].map(DVec3::length);
-        Ok(lengths.into_iter().fold(0.0, f64::max))
-    }
-
     /// Gives a node a mesh: in a child that its vertices count from, unless that is zero. Returns
     /// the node that has it.
     fn hang(&mut self, node: usize, (mesh, origin): (usize, DVec3)) -> Result<usize> {
@@ -212,7 +207,7 @@ impl<'f, 'd> Writer<'f, 'd> {
             let own = self.moved(at, node, &node.name, DQuat::IDENTITY, true)?;
             let inner = self.pivot(node, own)?;
             if let Kind::Object(object) = &node.kind {
-                let scale = self.world_scale(at)?;
+                let scale = self.scales[at];
                 let mesh = self.meshes.of_object(
                     self.flight,
                     &mut self.binary,
@@ -415,6 +410,21 @@ impl<'f, 'd> Writer<'f, 'd> {
         json.insert("asset".into(), asset(self.flight));
         (json, self.binary.bytes)
     }
+}
+
+fn world_scales(flight: &Flight<'_>) -> Result<Vec<f64>> {
+    let scene = flight.scene();
+    let count = scene.nodes().len();
+    let mut states = vec_with_room(count)?;
+    states.resize(count, NodeState::default());
+    scene.evaluate(flight.frame(0), &mut states, &mut Warnings::default())?;
+    let mut scales = vec_with_room(count)?;
+    scales.extend(states.iter().map(|state| {
+        let axes = state.world().matrix3;
+        let lengths = [axes.x_axis, axes.y_axis, axes.z_axis].map(DVec3::length);
+        lengths.into_iter().fold(0.0, f64::max)
+    }));
+    Ok(scales)
 }
 
 /// What is ours, beside what every file says of itself.
