@@ -149,9 +149,6 @@ german! {
         Skins(count) => "Netze mit Skelett wie in Ruhe: {count}";
         Sheared(count) => "Knoten ohne ihre Scherung: {count}";
         RepeatedTimes(count) => "Posen zur gleichen Zeit wie die vorige bleiben weg: {count}";
-        Origin(place) =>
-            "für 32 Bit weit vom Ursprung: alle Knoten liegen in einem Knoten „origin“ bei {}",
-            place.map(number).join(" ");
         LeftOut(what) => "weggelassen: {what}";
         OtherAnimations(names) => "Animationen bleiben weg: {names}; eine wählt clip";
         OtherModels { read, images, others } =>
