@@ -1878,9 +1878,9 @@ int v_path_write_ascii_to_memory(const V_PATH *path,
 /* ---- Time and motion --------------------------------------------------------- */
 
 /**
- * Gets the frame that is shown at a time from 0 to (v_path_frame_count() - 1) / fps: 1
- * + seconds * fps. For the time of a whole frame from v_path_seconds_at_frame(), it is
- * exactly that frame.
+ * Gets the frame that is shown at a time from 0 to (v_path_frame_count() - 1) / fps,
+ * which is 1 + seconds * fps. For the time of a whole frame from
+ * v_path_seconds_at_frame(), it is exactly that frame.
  * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_frame_at_seconds(const V_PATH *path,
