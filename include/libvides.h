@@ -2614,7 +2614,8 @@ int v_path_fit_poses_in_space(const V_POSE *poses,
 /**
  * Like v_path_fit_poses_in_space(), but ignores outliers: poses that differ by more
  * than the tolerance from what their neighbours suggest. *left_out receives their
- * number, and may be NULL; the last line of v_last_warning() names it and the first one.
+ * number, and may be NULL; the last sentence of v_last_warning() names
+ * it and the first one.
  * V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED.
  */
 int v_path_fit_poses_robust(const V_POSE *poses,

@@ -140,7 +140,8 @@ pub unsafe extern "C" fn v_path_fit_poses_in_space(
 
 /// Like v_path_fit_poses_in_space(), but ignores outliers: poses that differ by more
 /// than the tolerance from what their neighbours suggest. *left_out receives their
-/// number, and may be NULL; the last line of v_last_warning() names it and the first one.
+/// number, and may be NULL; the last sentence of v_last_warning() names
+/// it and the first one.
 /// V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_fit_poses_robust(
@@ -214,8 +215,10 @@ unsafe fn fitted(
     })?;
     clear_last_warning();
     let fitted: Fitted = watched(|go_on| Ok(fit(poses, seconds, fps, options, go_on)?))?;
+    // A sentence for each line.
     for line in fitted.report.to_string().lines() {
-        add_last_warning(format_args!("{line}"));
+        let (first, rest) = line.split_at(1);
+        add_last_warning(format_args!("{}{rest}.", first.to_uppercase()));
     }
     Ok(fitted)
 }

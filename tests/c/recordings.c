@@ -47,7 +47,7 @@ static void a_fit_reports(void)
         poses[i].vrp[1] += 3;
     OK(v_path_fit_poses(poses, NULL, count, 25, 0.01, 0.5, &fitted));
     CHECK(strstr(v_last_warning(), " points for 100 poses at 25 frames per second") != NULL);
-    CHECK(strstr(v_last_warning(), "found: 1 cut") != NULL);
+    CHECK(strstr(v_last_warning(), "Found: 1 cut.") != NULL);
     OK(v_path_sample(fitted, again, 100, &count));
     CHECK(count == 100);
     for (i = 0; i < count; i++)

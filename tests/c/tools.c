@@ -164,7 +164,7 @@ static void moves_and_fits_have_a_space(void)
     poses[77].vrp[2] += 5;
     OK(v_path_fit_poses_robust(poses, NULL, count, 25, 0.1, 0.5, &space, &left_out, &fitted));
     CHECK(left_out == 1);
-    CHECK(strcmp(v_last_warning(), "1 pose is left out, first poses[77].") == 0);
+    CHECK(strstr(v_last_warning(), "Found: 1 outlier. 1 pose is left out, first poses[77].") != NULL);
     OK(v_path_sample(fitted, again, 250, &count));
     CHECK(count == 250);
     for (i = 0; i < count; i++)

@@ -121,7 +121,7 @@ def formats():
         Format("vtk", "flight.py", back=False, importers=[vtk], options=("--to", "vtk")),
         Format("nerfstudio", "camera_path.json", "z", importers=[nerfstudio]),
         Format("transforms", "transforms.json", "z", rate=False, importers=[plain]),
-        Format("instant-ngp", "base_cam.json", "z", importers=[plain]),
+        Format("instant-ngp", "base_cam.json", "z", rate=False, importers=[plain]),
         Format("cameras", "cameras.json", rate=False, importers=[plain]),
         Format("tum", "flight.tum", fov=False, rate=False, importers=[evo], options=("--to", "tum")),
         Format("kitti", "flight.kitti", fov=False, rate=False, importers=[evo], options=("--to", "kitti")),

@@ -367,6 +367,9 @@ fn the_file_window_offers_all_formats_of_poses() {
                 .get_by_role_and_label(Role::ComboBox, texts.format)
                 .click();
             window.run();
+            // In a low window the list scrolls.
+            window.get_by_label(entry).scroll_to_me();
+            window.run();
             click(&mut window, entry);
             assert_eq!(shown(&window), format);
             let name = format!("{}.{ending}", texts.poses);
