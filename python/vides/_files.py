@@ -28,7 +28,7 @@ def formats() -> list[Format]:
     """All formats that can be read or written.
 
     >>> [format.name for format in formats() if format.reads and not format.writes]
-    []
+    ['record3d', 'polycam']
     >>> "nerfstudio" in [format.name for format in formats()]
     True
     """

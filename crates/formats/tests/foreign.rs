@@ -68,8 +68,6 @@ const CONTENTS: [(&str, &[u8]); 58] = [
     ("SRT", b"1\n00:00:00,000 --> 00:00:00,033\n[latitude: 50.1]\n"),
     ("SRT", b"\xef\xbb\xbf1\r\n00:00:01,001 --> 00:00:02,000\r\nHOME(8.6,50.1)\r\n"),
     ("NMEA", b"$GPGGA,123519,4807.038,N,01131.000,E,1,08,0.9,545.4,M,46.9,M,,*47\n"),
-    ("Record3D", b"{\"w\":720,\"h\":960,\"fps\":60,\"K\":[1],\"poses\":[[0,0,0,1,0,0,0]],\"perFrameIntrinsicCoeffs\":[]}"),
-    ("Record3D", b"{\"poses\":[[0,0,0,1,0,0,0]],\"initPose\":[0,0,0,1,0,0,0]}"),
     ("Earth Studio", b"{\"width\":1920,\"height\":1080,\"numFrames\":2,\"cameraFrames\":[{\"position\":{\"x\":1,\"y\":2,\"z\":3}}]}"),
     ("ULog", b"ULog\x01\x12\x35\x01"),
     ("LAS", b"LASF\0\0"),
@@ -171,10 +169,6 @@ fn the_way_is_one_that_there_is() {
         (
             b"set cut_paste_input [stack 0]",
             "export the camera as .chan from Nuke",
-        ),
-        (
-            b"{\"initPose\":[]}",
-            "make transforms.json with \"ns-process-data record3d\"",
         ),
         (
             b"<chunk label=\"a\">",
