@@ -3,7 +3,7 @@
 use vides_formats::{Error, Options, Source, import};
 
 /// A name that says nothing, and the beginning of a file as its program writes it.
-const CONTENTS: [(&str, &[u8]); 58] = [
+const CONTENTS: [(&str, &[u8]); 56] = [
     ("FBX", b"Kaydara FBX Binary  \0\x1a\0"),
     ("FBX", b"; FBX 7.3.0 project file\n"),
     ("FBX", b"\n; Created by a program\nFBXHeaderExtension:  {\n"),
