@@ -87,12 +87,13 @@ pub(crate) fn convert(
         options.as_ = options.as_.or(Some(As::Keys));
     }
     py.detach(|| {
-        let imported = formats::import(&Source::open(&source)?, from, &options)
+        let mut imported = formats::import(&Source::open(&source)?, from, &options)
             .map_err(|error| Failure::from(error).with_format_as("source_format="))?;
         let warned = imported.document.warnings().iter();
         let mut told: Vec<String> = warned
             .map(|warning| FromZero(warning).to_string())
             .collect();
+        imported.keep_times(to, &mut options);
         told.extend(losses(&imported.report));
         let report = formats::export(&imported.document, &target, to, &options, &mut |_, _| {})?;
         told.extend(losses(&report));
@@ -178,7 +179,7 @@ pub(crate) fn fit(
     poses: PyReadonlyArray2<'_, f64>,
     seconds: Option<PyReadonlyArray1<'_, f64>>,
     fps: f64,
-    tolerance: f64,
+    tolerance: Option<f64>,
     angle: f64,
     up: &str,
     robust: bool,
@@ -192,7 +193,7 @@ pub(crate) fn fit(
             up,
             robust,
             ..FitOptions::from(Tolerance {
-                position: tolerance,
+                position: tolerance.unwrap_or(Tolerance::usual(&poses).position),
                 angle,
             })
         };

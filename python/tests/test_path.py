@@ -230,6 +230,11 @@ def test_a_recording_is_fitted(path: vides.Path) -> None:
     noisy[77, :3] += 2
     robust = vides.Path.fit(noisy, tolerance=0.01, robust=True)
     assert robust.losses == ("pose 77 is left out",)
+    # A camera that turns on the spot has no diagonal.
+    turns = np.repeat(recorded.array[:1], 30, axis=0)
+    turns[:, 3:5] = [[np.sin(a), np.cos(a)] for a in np.linspace(0, 1, 30)]
+    turns[:, 5:9] = [0, 0, 0, 1]
+    assert vides.Path.fit(turns).frame_count == 30
     report = robust.fit_report
     assert report is not None and report.outliers == (77,) and report.poses == len(noisy)
     assert report.points == len(robust.points) and report.position[1] <= report.position[0] <= 0.01001

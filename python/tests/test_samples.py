@@ -2,6 +2,7 @@
 
 import copy
 import pickle
+from pathlib import Path
 from typing import get_args
 
 import numpy as np
@@ -156,3 +157,12 @@ def test_which_axis_stands_upright() -> None:
     assert vides.Path.fit(samples).up == "z" and vides.Path.fit(samples, up="y").up == "y"
     path.save("poses.tum", "tum")
     assert vides.Samples.load("poses.tum").world_up is None
+
+
+def test_a_list_that_becomes_a_list_keeps_its_times(tmp_path: Path) -> None:
+    stamps = [1403636580.838, 1403636580.911, 1403636581.5, 1403636583.25]
+    (tmp_path / "a.tum").write_text("".join(f"{t} {t - 1403636580} 0 0 0 0 0 1\n" for t in stamps))
+    told = vides.convert(tmp_path / "a.tum", tmp_path / "b.euroc")
+    assert not any("begin at" in line for line in told)
+    rows = (tmp_path / "b.euroc").read_text().splitlines()[1:]
+    assert np.allclose([int(row.split(",")[0]) / 1e9 for row in rows], stamps, rtol=0, atol=5e-6)

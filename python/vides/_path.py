@@ -514,11 +514,10 @@ class Path(Planned):
         times = None if seconds is None else doubles(seconds, (len(array),), "seconds")
         if len(array) < 2:
             raise Error(f"at least two poses are required, not {len(array)}", "range")
-        if tolerance is None:
-            tolerance = 1e-3 * float(np.linalg.norm(np.ptp(array[:, :3], axis=0)))
         rate = 25.0 if fps is None else number(fps, "fps")
         upright = (known or "y") if up is None else axis(up)
-        near, turned = number(tolerance, "tolerance"), number(angle, "angle")
+        near = None if tolerance is None else number(tolerance, "tolerance")
+        turned = number(angle, "angle")
         most = None if points is None else count(points, "points")
         native, left_out, told = _vides.fit(
             array, times, rate, near, turned, upright, bool(robust), most

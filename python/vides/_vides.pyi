@@ -37,7 +37,7 @@ def fit(
     poses: _Array,
     seconds: _Array | None,
     fps: float,
-    tolerance: float,
+    tolerance: float | None,
     angle: float,
     up: str,
     robust: bool,

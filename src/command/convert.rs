@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Arg, ArgMatches, Args, Command, FromArgMatches};
-use vides::formats::{self, As, Format, Holds, Loss, OPTIONS, Options, Times};
+use vides::formats::{self, As, Format, Holds, OPTIONS, Options, Report};
 
 use super::failure::{Failure, complain, one_line};
 use super::output::is_standard_output;
@@ -111,38 +111,24 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         options.as_ = options.as_.or(Some(As::Keys));
     }
     let source = input::source(file)?;
-    let imported = formats::import(&source, from, &options)?;
+    let mut imported = formats::import(&source, from, &options)?;
     let name = &source.name;
     input::warn(name, imported.document.warnings());
-    // A list becomes a list with its own times.
-    let keeps = to.own_times && options.fps.is_none() && options.frames.is_none();
-    if let Some(start) = imported.start.filter(|_| keeps) {
-        options.times = options.times.or(Some(Times::Own));
-        options.start = options.start.or(Some(start));
-    }
-    let restored =
-        |loss: &&Loss| matches!(loss, Loss::Epoch(first) if options.start == Some(*first));
-    tell(
-        name,
-        imported
-            .report
-            .losses()
-            .iter()
-            .filter(|loss| !restored(loss)),
-    );
+    imported.keep_times(to, &mut options);
+    tell(name, &imported.report);
     let report = write_out(&imported.document, name, out, to, &options)?;
     let out = if to_standard_output {
         "standard output".to_owned()
     } else {
         out.display().to_string()
     };
-    tell(&out, report.losses());
+    tell(&out, &report);
     Ok(())
 }
 
 /// Says what is lost.
-fn tell<'a>(name: &str, losses: impl IntoIterator<Item = &'a Loss>) {
-    for loss in losses {
+fn tell(name: &str, report: &Report) {
+    for loss in report.losses() {
         complain(&one_line(&format!("{name}: {loss}")));
     }
 }

@@ -14,7 +14,7 @@ use super::flight::Flight;
 use super::foreign::Foreign;
 use super::format::Format;
 use super::loss::{Loss, Report};
-use super::options::{As, Options};
+use super::options::{As, Options, Times};
 use super::saving::{kept, save_with, saved};
 use super::source::Source;
 
@@ -29,6 +29,21 @@ pub struct Imported {
     pub report: Report,
     /// Of a list of poses the time of the first in the file, in seconds.
     pub start: Option<f64>,
+}
+
+impl Imported {
+    /// Chooses that poses of a list keep their times in a format that has them, unless a rate or
+    /// frames were chosen; what is restored by that is no loss.
+    pub fn keep_times(&mut self, to: &Format, options: &mut Options) {
+        let keeps = to.own_times && options.fps.is_none() && options.frames.is_none();
+        let Some(start) = self.start.filter(|_| keeps) else {
+            return;
+        };
+        options.times = options.times.or(Some(Times::Own));
+        let start = *options.start.get_or_insert(start);
+        let restored = |loss: &Loss| matches!(loss, Loss::Epoch(first) if *first == start);
+        self.report.losses.retain(|loss| !restored(loss));
+    }
 }
 
 /// Writes into a file, or the files of a folder, each replaced only when it is whole.

@@ -265,7 +265,7 @@ fn counted(f: &mut fmt::Formatter<'_>, count: usize, what: &str) -> fmt::Result 
 /// The losses of a file that was written or read.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Report {
-    losses: Vec<Loss>,
+    pub(super) losses: Vec<Loss>,
 }
 
 /// More are not reported one by one.

@@ -204,21 +204,9 @@ pub fn fit(
     progress: Progress<'_>,
 ) -> Result<Fitted> {
     let mut data = Data::new(poses, seconds, fps, options)?;
-    if options.robust {
-        data.leave_out()?;
-    }
-    (data.cuts, data.gaps) = data.jumps()?;
-    let (path, measured) = data.best(progress)?;
-    let outliers = data.outliers();
-    let mut left_out = vec_with_room(outliers.clone().count())?;
-    left_out.extend(outliers);
-    let mut report = data.report(&path, &measured, poses.len())?;
-    report.better = data.better(&report, progress)?;
-    Ok(Fitted {
-        path,
-        left_out,
-        report,
-    })
+    let mut made = data.made(options, poses.len(), progress)?;
+    made.report.better = data.better(&made.report, progress)?;
+    Ok(made)
 }
 
 /// The path of at most so many points, at least 2, that needs the least tolerance, to within a
@@ -252,12 +240,15 @@ pub fn fit_points(
             _ => 0.5 * (low + high),
         };
         let options = with(middle.exp2());
-        let fitted = fit(poses, seconds, fps, &options, progress)?;
-        if fitted.path.points.len() <= points {
-            high = middle;
-            best = Some((fitted, options.tolerance));
-        } else {
-            low = middle;
+        let made = Data::new(poses, seconds, fps, &options)?.made(&options, poses.len(), progress);
+        match made {
+            Ok(made) if made.path.points.len() <= points => {
+                high = middle;
+                best = Some((made, options.tolerance));
+            }
+            // Or more than any path may have.
+            Ok(_) | Err(Error::Limit(_)) => low = middle,
+            Err(error) => return Err(error),
         }
     }
     best.ok_or_else(|| OutOfRange::TooFewFittedPoints.into())
@@ -294,6 +285,23 @@ const MANY: usize = 3;
 const BEYOND_NOISE: f64 = 4.5;
 
 impl Data {
+    fn made(&mut self, options: &Options, poses: usize, progress: Progress<'_>) -> Result<Fitted> {
+        if options.robust {
+            self.leave_out()?;
+        }
+        (self.cuts, self.gaps) = self.jumps()?;
+        let (path, measured) = self.best(progress)?;
+        let outliers = self.outliers();
+        let mut left_out = vec_with_room(outliers.clone().count())?;
+        left_out.extend(outliers);
+        let report = self.report(&path, &measured, poses)?;
+        Ok(Fitted {
+            path,
+            left_out,
+            report,
+        })
+    }
+
     /// Where there are many points, a tolerance beyond the noise if it needs at most half of them.
     fn better(&mut self, report: &Report, progress: Progress<'_>) -> Result<Option<(f64, usize)>> {
         let tolerance = BEYOND_NOISE * report.noise;
@@ -303,7 +311,11 @@ impl Data {
         let given = std::mem::replace(&mut self.tolerance, tolerance);
         let made = self.best(progress);
         self.tolerance = given;
-        let points = made?.0.points.len();
+        let points = match made {
+            Ok((path, _)) => path.points.len(),
+            Err(Error::Limit(_)) => return Ok(None),
+            Err(error) => return Err(error),
+        };
         Ok((2 * points <= report.points).then_some((tolerance, points)))
     }
 
