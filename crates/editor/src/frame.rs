@@ -11,6 +11,7 @@ use crate::setup::Theme;
 use crate::space::camera_view;
 use crate::state::Editor;
 use crate::theme::{BAR, LARGE};
+use crate::typed::Measures;
 use crate::{keys, menu, panels, playing, points_list, scene_view, space, theme, windows};
 
 const PANELS: f32 = panels::parts::WIDTH + 2.0 * MARGIN;
@@ -47,6 +48,12 @@ fn show(editor: &mut Editor, ui: &mut Ui) {
         editor.look_after_file();
         editor.look_after_meshes();
     }
+    let info = editor.document.info();
+    let measures = Measures {
+        fps: info.fps,
+        length: info.unit.clone(),
+    };
+    context.data_mut(|data| data.insert_temp(Id::NULL, measures));
     let actions = asked(editor, &context);
     let palette = editor.setup.theme().palette();
     let whole = ui.max_rect();

@@ -37,6 +37,7 @@ mod space;
 mod state;
 mod texts;
 mod theme;
+mod typed;
 mod windows;
 
 #[cfg(test)]

@@ -8,6 +8,7 @@ use vides_engine::scene::Channel;
 
 use crate::number::Number;
 use crate::state::{Editor, with};
+use crate::typed::Quantity;
 
 impl Number<'_> {
     /// A number of a view by its key in files.
@@ -40,10 +41,11 @@ impl Number<'_> {
 
     fn counting(self, unit: Unit) -> Self {
         match unit {
-            Unit::Degrees => self.unit("°").decimals(1).steps(1.0, 0.5),
+            Unit::Degrees => self.degrees(),
             Unit::Millimetres => self.decimals(1).steps(1.0, 0.2),
-            Unit::Frames => self.steps(1.0, 0.5),
-            Unit::Length | Unit::One => self,
+            Unit::Frames => self.quantity(Quantity::Frames).steps(1.0, 0.5),
+            Unit::Length => self.quantity(Quantity::Length),
+            Unit::One => self,
         }
     }
 

@@ -151,8 +151,7 @@ fn numbers(
     ui.add_space(groups - NARROW);
     let entry = Number::new(texts.second, seconds(at))
         .hint(texts.second_tip)
-        .unit(" s")
-        .decimals(2)
+        .seconds()
         .range(seconds(begin)..=seconds(end))
         .steps(1.0 / fps, 1.0 / fps)
         .show(ui, language, "playing.second", field);
@@ -163,8 +162,7 @@ fn numbers(
     let entry = Number::new(texts.duration, (begin - 1.0 + count) / fps)
         .label(texts.of)
         .hint(duration_tip)
-        .unit(" s")
-        .decimals(2)
+        .seconds()
         .typed()
         .range((begin + 1.0) / fps..=(begin - 1.0 + as_frame(MAX_FRAMES)) / fps)
         .steps(1.0, 0.0)

@@ -16,6 +16,7 @@ use crate::state::Editor;
 use crate::state::scene_view::{Moves, NodeAction};
 use crate::texts::fill;
 use crate::theme;
+use crate::typed::Quantity;
 
 pub(super) fn show(editor: &Editor, ui: &mut Ui, of: Shown<'_>, actions: &mut Vec<Action>) {
     let texts = &editor.texts().node;
@@ -78,6 +79,7 @@ fn near(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
         let far = Number::new(texts.nearness, position)
             .label("±")
             .hint(texts.nearness_hint)
+            .quantity(Quantity::Length)
             .decimals(decimals(half_size) + 1)
             .range(least..=half_size)
             .steps(1e-3 * half_size, 1e-4 * half_size)
@@ -85,7 +87,7 @@ fn near(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
         let turned = Number::new(texts.nearness_angle, angle)
             .label("±")
             .hint(texts.nearness_angle_hint)
-            .unit("°")
+            .degrees()
             .decimals(2)
             .range(0.01..=90.0)
             .steps(0.1, 0.01)

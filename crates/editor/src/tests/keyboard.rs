@@ -1,6 +1,7 @@
 //! Shortcuts and numbers by the keyboard: who gets which key.
 
 use vides_document::At;
+use vides_engine::path::Timeline;
 
 use super::*;
 
@@ -30,6 +31,45 @@ fn a_number_takes_comma_and_point_and_refuses_the_rest() {
         assert_eq!(x(&window), -0.6);
         assert!(!window.state().document.can_undo());
     }
+}
+
+#[test]
+fn a_number_takes_other_units_and_changes() {
+    let mut window = window(Language::English);
+    let fps = window.state().document.info().fps;
+    let texts = Language::English.texts();
+    let hold = |window: &Window| {
+        let path = window.state().document.path();
+        path.points[0].orientations[0].hold
+    };
+    enter(&mut window, texts.timing.hold, "2s");
+    assert_eq!(f64::from(hold(&window)), 2.0 * fps);
+    enter(&mut window, texts.timing.hold, "/2");
+    assert_eq!(f64::from(hold(&window)), fps);
+    enter(&mut window, texts.timing.hold, "2 km");
+    assert_eq!(f64::from(hold(&window)), fps);
+    let message = fill(texts.errors.no_unit, &[&texts.timing.hold, &"km"]);
+    assert_eq!(said(&window), Some(message));
+    enter(&mut window, texts.space.duration, "200fr");
+    assert_eq!(
+        window
+            .state()
+            .document
+            .timeline(Timeline::frame_count)
+            .unwrap()
+            .unwrap(),
+        200
+    );
+    let x = |window: &Window| window.state().point().expect("there").position.x;
+    let mut info = window.state().document.info().clone();
+    info.unit = "cm".to_owned();
+    let edit = Edit::SetInfo(Box::new(info));
+    window.state_mut().document.apply(edit).unwrap();
+    enter(&mut window, "Position x", "0.002m");
+    assert_eq!(said(&window), None);
+    assert!((x(&window) - 0.2).abs() < 1e-12);
+    enter(&mut window, "Position x", "+10%");
+    assert!((x(&window) - 0.22).abs() < 1e-12);
 }
 
 #[test]

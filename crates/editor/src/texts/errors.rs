@@ -5,6 +5,7 @@ use super::texts;
 texts! {
     Errors {
         no_number: "{0}: “{1}” is not a number", "{0}: „{1}“ ist keine Zahl";
+        no_unit: "{0}: the unit “{1}” does not fit here", "{0}: Die Einheit „{1}“ passt hier nicht";
         not_whole: "{0} must be a whole number", "{0} muss eine ganze Zahl sein";
         out_of_range: "{0} must lie between {1} and {2}", "{0} muss zwischen {1} und {2} liegen";
         memory: "There is not enough memory for this", "Dafür reicht der Speicher nicht";

@@ -76,8 +76,8 @@ texts! {
         drag_meaning: "Change the value; Shift: ten times finer",
             "Wert ändern; Umschalt: zehnmal feiner";
         click: "Click", "Klicken";
-        click_meaning: "Type a value, with a comma or a point",
-            "Wert eintippen, mit Komma oder Punkt";
+        click_meaning: "Type a value: 1.5, 2s, 48fr, 0.5m, 2*3, +10%",
+            "Wert eintippen: 1,5, 2s, 48fr, 0,5m, 2*3, +10%";
         enter: "Enter, Tab", "Enter, Tab";
         enter_meaning: "Apply it; Tab goes on", "Übernehmen; Tab geht weiter";
         escape: "Esc", "Esc";

@@ -289,9 +289,9 @@ impl ToolWindow {
             .hint(language.parameter_hint(parameter));
         let number = match parameter.unit {
             Unit::Length => number.in_space(editor.document.path().space),
-            Unit::Degrees => number.unit("°").decimals(1).steps(1.0, 0.5),
+            Unit::Degrees => number.degrees(),
             Unit::Zoom => number.unit(" mm").decimals(1).steps(1.0, 0.1),
-            Unit::Seconds => number.unit(" s").decimals(2).steps(1.0, 0.05),
+            Unit::Seconds => number.seconds().steps(1.0, 0.05),
             Unit::Count => number.whole().steps(1.0, 0.1),
             Unit::One | Unit::Choice(_) | Unit::Switch | Unit::Lattice => number.steps(0.1, 0.01),
         };

@@ -363,9 +363,7 @@ impl CurveWindow {
                 theme::label(ui, LABEL, texts.roll).on_hover_text(texts.roll_hint);
                 let number = Number::new(texts.roll, roll)
                     .hint(texts.roll_hint)
-                    .unit("°")
-                    .decimals(1)
-                    .steps(1.0, 0.5);
+                    .degrees();
                 wrong |= self.number(editor, ui, number, Field::Roll, actions);
                 ui.end_row();
             });
