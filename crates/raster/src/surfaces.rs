@@ -144,14 +144,10 @@ impl Surfaces {
     /// Whether a position is hidden: behind what is painted in its pixel and in the neighbouring
     /// ones.
     #[must_use]
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
     pub fn hides(&self, [x, y, near]: Corner3) -> bool {
-        let place = [x - f64::from(self.area.x), y - f64::from(self.area.y)];
-        let size = [self.area.width, self.area.height].map(f64::from);
-        if !(0..2).all(|at| (0.0..size[at]).contains(&place[at])) {
+        let Some([x, y]) = self.pixel([x, y]) else {
             return false;
-        }
-        let [x, y] = place.map(|at| at as usize);
+        };
         let (wide, high) = (self.area.width as usize, self.area.height as usize);
         // Anything beyond the area is invisible.
         let columns = x.saturating_sub(1)..=(x + 1).min(wide - 1);
@@ -164,6 +160,23 @@ impl Surfaces {
                 .is_some_and(|&known| f64::from(known) > near)
         };
         across.chain(along).all(hidden)
+    }
+
+    /// The nearness of what is painted at a position; none where nothing is.
+    #[must_use]
+    pub fn nearness(&self, at: [f64; 2]) -> Option<f64> {
+        let [x, y] = self.pixel(at)?;
+        let known = self.nearness.get(y * self.area.width as usize + x)?;
+        known.is_finite().then(|| f64::from(*known))
+    }
+
+    /// The column and row within the area of the pixel at a position.
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+    fn pixel(&self, [x, y]: [f64; 2]) -> Option<[usize; 2]> {
+        let place = [x - f64::from(self.area.x), y - f64::from(self.area.y)];
+        let size = [self.area.width, self.area.height].map(f64::from);
+        let inside = (0..2).all(|at| (0.0..size[at]).contains(&place[at]));
+        inside.then(|| place.map(|at| at as usize))
     }
 
     pub(super) fn bounds(&self) -> PixelRect {

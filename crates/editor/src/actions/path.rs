@@ -33,6 +33,9 @@ impl Editor {
                 self.add_points(1, context.input(|input| input.modifiers.shift))
             }
             PathAction::AddPointOtherwise => self.add_points(1, true),
+            PathAction::AskPoints if !self.document.edits_path() => {
+                self.complain(self.texts().tools.only_path);
+            }
             PathAction::AskPoints if self.has_segment() => {
                 windows::open::<PointsWindow>(self, context);
             }
@@ -160,10 +163,11 @@ impl Editor {
         }
     }
 
-    /// Lets every orientation look where the current one does, as one step; no point may be there.
+    /// Lets every orientation look at the place under the pointer, or where the current one does,
+    /// as one step; no point may be there.
     fn aim_all(&mut self) {
-        if let Some(corner) = self.space.lit() {
-            return self.aim_all_at(corner);
+        if let Some(place) = self.space.pointed() {
+            return self.aim_all_at(place);
         }
         let Some((position, current)) = self
             .point()

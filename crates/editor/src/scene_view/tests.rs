@@ -444,6 +444,11 @@ fn a_camera_by_keys_is_offered_a_path() {
         let told = fill(texts.runs_by_keys, &[&camera]);
         assert!(window.query_by_label(&told).is_some());
         screenshot(&mut window, &format!("by-keys-{language:?}.png"));
+        press(&mut window, Modifiers::CTRL, Key::I);
+        let position = &language.texts().position;
+        assert!(window.query_by_label(position.how_many).is_none());
+        let only_path = language.texts().tools.only_path.to_owned();
+        assert_eq!(said(&window), Some(only_path));
         click(&mut window, texts.keys_to_path);
         assert!(window.state().document.edits_path());
         let name = window.state().document.step_names()[0];

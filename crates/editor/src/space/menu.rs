@@ -11,6 +11,7 @@ use super::surface::projection_of;
 use crate::action::{Action, PathAction};
 use crate::setup::{Element, View};
 use crate::state::Editor;
+use crate::state::space::solid::Sight;
 use crate::state::space::{Handle, PointMenu};
 use crate::texts::fill;
 
@@ -18,6 +19,7 @@ use crate::texts::fill;
 pub(super) fn show(
     menu: &mut PointMenu,
     mut asked: Option<(Pos2, Option<Handle>)>,
+    sight: Option<&Sight>,
     editor: &Editor,
     ui: &Ui,
     viewport: Rect,
@@ -41,7 +43,7 @@ pub(super) fn show(
         *menu = PointMenu {
             at,
             of_point: what.is_some(),
-            corner: corner_at(editor, &projection, at),
+            corner: corner_at(editor, &projection, at).or_else(|| sight?.place(at)),
         };
         SetOpenCommand::Bool(true)
     });

@@ -75,9 +75,9 @@ impl MovementWindow {
         self.nodes.lines()
     }
 
-    /// The corner of the object that is lit under the pointer.
-    pub(super) fn lit(&self) -> Option<DVec3> {
-        self.lit
+    /// The place of the object under the pointer.
+    pub(super) fn pointed(&self) -> Option<DVec3> {
+        self.pointed
     }
 
     /// Whether a handle or the view is being dragged.
@@ -298,15 +298,23 @@ fn show_in(editor: &mut Editor, ui: &mut Ui, viewport: Rect, covered: Option<Rec
     });
     editor.part_of(&context, room, |editor, space, actions| {
         let asked = space.pointer.menu.take();
-        menu::show(&mut space.menu, asked, editor, ui, viewport, actions);
+        let sight = space.solid.sight.as_ref();
+        menu::show(&mut space.menu, asked, sight, editor, ui, viewport, actions);
         if let Some(ghost) = editor.ghost.map(Camera::from) {
             let place = projection_of(editor, viewport).pos(ghost.position);
             actions.extend(host::button(editor, &context, viewport, place));
         }
     });
     editor.part_of(&context, room, |editor, space, actions| {
-        space.lit = space.corner(editor, &surface);
-        let drawn = space.draw(editor, &ui.painter_at(viewport), viewport, space.lit);
+        let at = space.pointing(editor, &surface);
+        let projection = projection_of(editor, viewport);
+        let few = editor.document.info().object.len() <= MOST_LIT;
+        let corner = at.filter(|_| few);
+        let corner = corner.and_then(|at| menu::corner_at(editor, &projection, at));
+        let drawn = space.draw(editor, &ui.painter_at(viewport), viewport, corner);
+        let sight = space.solid.sight.as_ref();
+        let face = || sight?.place(at?);
+        space.pointed = corner.or_else(face);
         if let Err(error) = drawn {
             actions.push(Action::Complain(reason_of(editor.language(), &error)));
         }
@@ -318,17 +326,15 @@ fn show_in(editor: &mut Editor, ui: &mut Ui, viewport: Rect, covered: Option<Rec
 }
 
 impl MovementWindow {
-    /// The corner of the object that a right click would take now.
-    fn corner(&self, editor: &Editor, surface: &PointerContext<'_>) -> Option<DVec3> {
+    /// Where the pointer may show a place of the object.
+    fn pointing(&self, editor: &Editor, surface: &PointerContext<'_>) -> Option<Pos2> {
         let context = surface.context;
         let busy = self.pointer.hover.is_some()
             || editor.windows.tool.is_some()
-            || editor.document.info().object.len() > MOST_LIT
             || egui::Popup::is_any_open(context)
             || context.input(|input| input.pointer.any_down());
         let at = context.input(|input| input.pointer.latest_pos());
-        let at = at.filter(|&at| !busy && (surface.mine)(at))?;
-        menu::corner_at(editor, &projection_of(editor, surface.viewport), at)
+        at.filter(|&at| !busy && (surface.mine)(at))
     }
 
     fn draw(

@@ -4,7 +4,7 @@
 
 use std::sync::Arc;
 
-use egui::{Color32, Context, Rect, lerp};
+use egui::{Color32, Context, Pos2, Rect, lerp};
 use glam::{DAffine3, DVec3, DVec4, Vec4Swizzles};
 use vides_engine::scene::{Kind, Mesh};
 use vides_raster::{Area, Corner3, Surfaces};
@@ -106,6 +106,19 @@ impl Sight {
     pub(super) fn hides(&self, place: DVec3) -> bool {
         let at = self.eye.matrix * place.extend(1.0);
         at.w >= self.eye.front && self.hides_corner(self.eye.corner(at))
+    }
+
+    /// The place on a face that is seen at a position of the screen, in points. For parallel
+    /// projections.
+    pub(super) fn place(&self, at: Pos2) -> Option<DVec3> {
+        let [x, y] = [at.x, at.y].map(|at| f64::from(at) * self.eye.pixels_per_point);
+        let near = self.surfaces.nearness([x, y])?;
+        let place = self
+            .eye
+            .matrix
+            .inverse()
+            .project_point3(DVec3::new(x, y, near));
+        place.is_finite().then_some(place)
     }
 
     fn hides_corner(&self, [x, y, near]: Corner3) -> bool {

@@ -2,14 +2,16 @@
 
 use egui::{Context, RawInput};
 use vides_document::{Document, Info, Object};
-use vides_engine::path::{CameraPath, Space};
+use vides_engine::path::{CameraPath, Space, Target};
 
 use super::super::camera_picture;
 use super::super::cameras::Camera;
 use super::super::projection::Projection;
+use super::super::tests::{image, motion, viewport};
 use super::*;
 use crate::screenshots::screenshot;
 use crate::setup::{Colours, View};
+use crate::space::surface::projection_of;
 use crate::state::space::solid::Eye;
 use crate::tests::*;
 use crate::theme::contrast;
@@ -258,6 +260,30 @@ fn the_path_stands_out_from_faces() {
                 let found = contrast(colours.of(element), tone);
                 assert!(found >= 3.0, "{element:?} {lit}: {found}");
             }
+        }
+    }
+}
+
+#[test]
+fn f7_aims_at_the_face_under_the_pointer() {
+    let mut window = window_with(box_of(1), Theme::Dark);
+    window.run();
+    let toward = projection_of(window.state(), viewport(&window)).toward();
+    for axis in 0..3 {
+        // On the side that is seen, beside its middle.
+        let mut place = DVec3::new(0.11, -0.07, 0.05);
+        place[axis] = HALF * toward[axis].signum();
+        let at = image(&window, place);
+        motion(&mut window, at);
+        window.run();
+        press(&mut window, Modifiers::NONE, egui::Key::F7);
+        let points = &window.state().document.path().points;
+        for view in points.iter().flat_map(|point| &point.orientations) {
+            let Target::Absolute(target) = view.target else {
+                panic!("{:?}", view.target);
+            };
+            // As exact as a pixel.
+            assert!(target.distance(place) < 0.01, "{target} {place}");
         }
     }
 }

@@ -60,12 +60,12 @@ texts! {
             "Eine weitere Kamera in die Szene stellen, die sieht, was jetzt zu sehen ist";
         add_group: "Add a node without geometry to the scene; its children move with it",
             "Einen Knoten ohne eigene Gestalt in die Szene stellen; was hineinkommt, bewegt sich mit";
-        aim_here: "The current view becomes absolute and looks at this corner of the object",
-            "Der aktuelle Blick wird absolut und geht auf diese Ecke des Objekts";
-        aim_all_here: "Every view of the path becomes absolute and looks at this corner of the object",
-            "Jeder Blick der Bahn wird absolut und geht auf diese Ecke des Objekts";
-        aim_all: "Every view of the path becomes absolute and looks where this one does",
-            "Jeder Blick der Bahn wird absolut und geht dorthin, wohin dieser geht";
+        aim_here: "The current view becomes absolute and looks at this place of the object",
+            "Der aktuelle Blick wird absolut und geht auf diese Stelle des Objekts";
+        aim_all_here: "Every view of the path becomes absolute and looks at this place of the object",
+            "Jeder Blick der Bahn wird absolut und geht auf diese Stelle des Objekts";
+        aim_all: "Every view looks at the place of the object under the pointer; elsewhere: where this one looks",
+            "Jeder Blick geht auf die Stelle des Objekts unter dem Zeiger, sonst dorthin, wohin dieser geht";
 
         export: "Compute all camera settings and write them to a file: lines of ten numbers, CSV or JSON",
             "Alle Kameraeinstellungen berechnen und in eine Datei schreiben: Zeilen von zehn Zahlen, CSV oder JSON";

@@ -87,8 +87,8 @@ texts! {
         key_hint: "Drag: move this key of its position", "Ziehen: diesen Schlüssel seines Ortes bewegen";
         needs_several: "Select several points first: Shift + click, Ctrl + drag, Ctrl + A",
             "Erst mehrere Punkte auswählen: Umschalt + Klick, Strg + Ziehen, Strg + A";
-        corner_mouse: "Right click on a corner of the object", "Rechtsklick auf eine Ecke des Objekts";
-        corner_meaning: "Aim one camera or all at it; F7 while it is lit: all", "Eine Kamera oder alle darauf richten; F7, solange sie leuchtet: alle";
+        corner_mouse: "Right click on the object", "Rechtsklick auf das Objekt";
+        corner_meaning: "Aim one camera or all at this place; F7: all", "Eine Kamera oder alle auf diese Stelle richten; F7: alle";
         drag_hint: "Drag: left keeps {0}, middle {1}, right {2}",
             "Ziehen: links bleibt {0} fest, Mitte {1}, rechts {2}";
         in_plane: "In the plane {0} = const · X, Y, Z: lock one · a number: distance · Ctrl: in steps · Shift: finer",

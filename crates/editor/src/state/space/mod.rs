@@ -246,5 +246,6 @@ pub(crate) struct MovementWindow {
     pub(crate) menu: PointMenu,
     /// The view before one of its numbers was dragged.
     pub(crate) view_before: Option<View>,
-    pub(crate) lit: Option<DVec3>,
+    /// The corner of the object that is lit under the pointer, or the place on a face there.
+    pub(crate) pointed: Option<DVec3>,
 }
