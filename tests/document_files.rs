@@ -77,12 +77,16 @@ const BROKEN: &[(&str, &str)] = &[
         "line 1: version: this file is of version 2, newer than this program, which knows up to version 1",
     ),
     (
+        "misspelt_position",
+        "line 4: unknown key \"positon\"; known here: name, position, preset, own, tangents, keeps_motion, orientation",
+    ),
+    (
         "nine_speeds",
         "line 7: speed_curve: expected 10 numbers, found 9",
     ),
     (
         "no_point",
-        "line 2: a path needs at least two points, each with its [[point]], found 0",
+        "line 1: a path needs at least two points, each with its [[point]], found 0",
     ),
     ("no_position", "line 3: point: this point has no position"),
     ("no_version", "line 1: a .vid file begins with version = 1"),
@@ -93,7 +97,7 @@ const BROKEN: &[(&str, &str)] = &[
     ),
     (
         "one_point",
-        "line 5: a path needs at least two points, each with its [[point]], found 1",
+        "line 4: a path needs at least two points, each with its [[point]], found 1",
     ),
     (
         "orientation_no_array",

@@ -425,7 +425,7 @@ fn complaints_name_line_node_channel_and_key() {
         ),
         (
             "range = [1, 2]\nclosed = true\n",
-            "line 4: a path needs at least two points",
+            "line 3: a path needs at least two points",
         ),
     ];
     for (text, want) in cases {

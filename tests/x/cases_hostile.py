@@ -103,10 +103,11 @@ def flood(place, server, *words):
 
 def another_is_as_usual(server, host, window):
     """Whatever events did in a window that is still there."""
-    check(window in server.windows(visible=False), "the window is gone")
+    # xdotool's list is incomplete while windows come and go.
+    wait(lambda: window in server.windows(visible=False), "the window")
     host.edit(1)
-    wait(lambda: len(server.windows(visible=False)) > 1, "another window")
-    other = [one for one in server.windows(visible=False) if one != window][0]
+    others = lambda: [one for one in server.windows(visible=False) if one != window]
+    other = wait(others, "another window")[0]
     server.drawn(other)
     hand_over(server, other)
     host.expect(f"poses 1 {POSES}")

@@ -42,7 +42,11 @@ pub(super) fn points(
 fn point(table: Field<'_>, space: Space, so_far: &mut ReadContext) -> Result<SupportPoint> {
     // The position first, since targets are checked against it.
     let Some(position) = table.fields()?.find(|field| field.key == "position") else {
-        return Err(table.error(Malformed::NoPosition));
+        // It may be misspelt.
+        let known: Vec<_> = point_keys().chain(once("orientation")).collect();
+        let odd = table.fields()?.find(|field| !known.contains(&field.key));
+        let missing = || table.error(Malformed::NoPosition);
+        return Err(odd.map_or_else(missing, |field| field.unknown(&known)));
     };
     let mut point = SupportPoint {
         position: position.place_in(space)?,

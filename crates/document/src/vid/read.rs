@@ -150,7 +150,7 @@ impl Reader {
         }
         if let Some(key) = of_path().find(|key| self.has(key)) {
             let reason = Malformed::KeyOfPath(key);
-            return Err(end.complain(end.text.len(), reason));
+            return Err(end.complain(end.text.trim_end().len(), reason));
         }
         let mut scene = self.scene.finish(end.text)?;
         scene.set_space(self.path.space)?;
@@ -161,7 +161,7 @@ impl Reader {
         let count = self.path.points.len();
         if count < limits::MIN_POINTS {
             let reason = Malformed::TooFewPoints(count);
-            return Err(end.complain(end.text.len(), reason));
+            return Err(end.complain(end.text.trim_end().len(), reason));
         }
         Ok((self.path, self.info))
     }

@@ -63,7 +63,8 @@ impl RecoveryWindow {
             ui.horizontal(|ui| {
                 picture::show(editor, ui, PICTURE, offered.picture.as_ref());
                 ui.vertical(|ui| {
-                    ui.set_width(ui.available_width() - BUTTON.x - 16.0);
+                    let gap = ui.spacing().item_spacing.x;
+                    ui.set_width(ui.available_width() - BUTTON.x - gap);
                     describe(editor, ui, &offered.found);
                 });
                 let size = vec2(BUTTON.x, PICTURE.y);
