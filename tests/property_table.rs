@@ -1,4 +1,4 @@
-//! The tables of keys in `docs/files.md` are what the rows of properties say.
+//! The tables of keys in `docs/reference/files.md` are what the rows of properties say.
 //!
 //! `UPDATE_DOCS=1 cargo test --test property_table` writes them anew.
 
@@ -7,7 +7,7 @@ use std::fmt::Write as _;
 use vides::limits;
 use vides::property::{Listed, Owner};
 
-const FILE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/files.md");
+const FILE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/reference/files.md");
 const END: &str = "<!-- end -->";
 
 fn table(rows: &[Listed]) -> String {
