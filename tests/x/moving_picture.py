@@ -1,0 +1,156 @@
+"""A flight made in the window, as a moving picture for the README and the first pages:
+moving_picture.py VIDES OUT.png [STEPS_FOLDER]
+
+Points are put and dragged around a knot, aimed at it, and played. The picture is an APNG with a
+palette, each frame only what differs from the one before. STEPS_FOLDER gets a PNG of each step.
+"""
+
+import collections
+import os
+import struct
+import sys
+import tempfile
+import time
+import zlib
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../mk"))
+
+from gallery import grid, knot, write_obj
+from hands import window_for
+from space import first_look
+
+SIZE = 860, 600
+PLACES = [(-0.75, 0.55, 0.75), (-0.9, 0.1, -0.1), (-0.5, 0.5, -0.85),
+          (0.5, 0.7, -0.85), (0.9, 0.2, -0.1), (0.75, 0.4, 0.75)]
+"""In half sizes of the space. The first and the last are moved a little from where they begin."""
+STEP, PLAYED = 0.9, 0.12
+"""Seconds for which a step, and a picture of the playing, is shown."""
+
+
+class Film:
+    """Pictures with their seconds."""
+
+    def __init__(self):
+        self.frames = []
+
+    def add(self, picture, seconds):
+        """One more, as rows of colours of 5 bits a channel."""
+        rows = []
+        for row in picture.rows:
+            colours = bytes(value & 0xF8 for value in row)
+            rows.append(struct.unpack(f"<{picture.width}I", colours))
+        self.frames.append(([[c & 0xFFFFFF for c in row] for row in rows], seconds))
+
+    def palette(self):
+        """The most frequent colours, and for each colour the number of the nearest of them."""
+        count = collections.Counter()
+        for rows, _ in self.frames:
+            for row in rows:
+                count.update(row)
+        parts = lambda colour: (colour >> 16 & 255, colour >> 8 & 255, colour & 255)
+        chosen = [colour for colour, _ in count.most_common(256)]
+        places = [parts(colour) for colour in chosen]
+
+        def nearest(colour):
+            mine = parts(colour)
+            return min(range(len(places)), key=lambda k: sum(abs(a - b) for a, b in zip(places[k], mine)))
+
+        number = {colour: k for k, colour in enumerate(chosen)}
+        number.update((colour, nearest(colour)) for colour in count if colour not in number)
+        return places, number
+
+    def save(self, path):
+        """Writes the APNG."""
+        places, number = self.palette()
+        shown = [[bytes(number[c] for c in row) for row in rows] for rows, _ in self.frames]
+        height, width = len(shown[0]), len(shown[0][0])
+        with open(path, "wb") as out:
+            def chunk(kind, data):
+                check = zlib.crc32(kind + data)
+                out.write(struct.pack(">I", len(data)) + kind + data + struct.pack(">I", check))
+
+            out.write(b"\x89PNG\r\n\x1a\n")
+            chunk(b"IHDR", struct.pack(">2I5B", width, height, 8, 3, 0, 0, 0))
+            chunk(b"acTL", struct.pack(">2I", len(shown), 0))
+            chunk(b"PLTE", bytes(value for place in places for value in place))
+            order, before = 0, None
+            for rows, (_, seconds) in zip(shown, self.frames):
+                x, y, part = changed(before, rows)
+                chunk(b"fcTL", struct.pack(">5I2H2B", order, len(part[0]), len(part), x, y,
+                                           round(1000 * seconds), 1000, 0, 0))
+                order += 1
+                data = zlib.compress(b"".join(b"\0" + row for row in part), 9)
+                if before is None:
+                    chunk(b"IDAT", data)
+                else:
+                    chunk(b"fdAT", struct.pack(">I", order) + data)
+                    order += 1
+                before = rows
+            chunk(b"IEND", b"")
+
+
+def changed(before, rows):
+    """The rectangle that differs: its corner, and its rows."""
+    if before is None:
+        return 0, 0, rows
+    differ = [y for y, (a, b) in enumerate(zip(before, rows)) if a != b] or [0]
+    top, bottom = differ[0], differ[-1] + 1
+    columns = [x for y in differ for x, (a, b) in enumerate(zip(before[y], rows[y])) if a != b] or [0]
+    left, right = min(columns), max(columns) + 1
+    return left, top, [row[left:right] for row in rows[top:bottom]]
+
+
+def main():
+    """See the top."""
+    vides, out = map(os.path.abspath, sys.argv[1:3])
+    steps = os.path.abspath(sys.argv[3]) if sys.argv[3:] else None
+    film = Film()
+    with tempfile.TemporaryDirectory(prefix="vides-film-") as folder:
+        mesh = os.path.join(folder, "knot.obj")
+        write_obj(mesh, grid(120, 16, knot))
+        with window_for(vides, folder, "--object", mesh) as hand:
+            server, window = hand.server, hand.window
+            server.xdotool("windowsize", window, *SIZE)
+
+            def step(name):
+                server.drawn(window)
+                film.add(server.picture(window), STEP)
+                if steps:
+                    server.picture(window).save(os.path.join(steps, name + ".png"))
+
+            space = server.seen(window, first_look, "the space")
+            step("1-begin")
+            hand.keys("ctrl+i", "4")
+            step("2-points")
+            for number in range(1, 5):
+                begin = [PLACES[0][k] + (PLACES[5][k] - PLACES[0][k]) * number / 5 for k in range(3)]
+                begin = [(-0.6 + 1.2 * number / 5), 0.2, 0.8]
+                goal = PLACES[number]
+                along = goal[0], begin[1], goal[2]
+                hand.drag(space.image(begin), space.image(along), 2)
+                hand.drag(space.image(along), space.image(goal), 3)
+                hand.away()
+                step(f"3-drag-{number}")
+            x, y = map(round, space.image((0, 0, 0)))
+            server.xdotool("mousemove", "--window", window, x, y)
+            server.drawn(window)
+            hand.keys("F7")
+            hand.away()
+            step("4-aim")
+            hand.keys("Home", "space")
+            end = time.monotonic() + 60
+            last = None
+            while time.monotonic() < end:
+                picture = server.picture(window)
+                if last and picture.rows == last.rows:
+                    break
+                film.add(picture, PLAYED)
+                last = picture
+                time.sleep(0.25)
+            step("5-played")
+    film.save(out)
+    print(f"{out}: {len(film.frames)} pictures, {os.path.getsize(out)} bytes")
+
+
+if __name__ == "__main__":
+    main()
