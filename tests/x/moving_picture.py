@@ -1,7 +1,7 @@
 """A flight made in the window, as a moving picture for the README and the first pages:
 moving_picture.py VIDES OUT.png [STEPS_FOLDER]
 
-Points are put and dragged around a knot, aimed at it, and played. The picture is an APNG with a
+Points are put and dragged around a knot and aimed at it; then the flight is shown, frame by frame. The picture is an APNG with a
 palette, each frame only what differs from the one before. STEPS_FOLDER gets a PNG of each step.
 """
 
@@ -10,21 +10,24 @@ import os
 import struct
 import sys
 import tempfile
-import time
 import zlib
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../mk"))
 
 from gallery import grid, knot, write_obj
 from hands import window_for
-from space import first_look
+from space import Space
 
 SIZE = 860, 600
-PLACES = [(-0.75, 0.55, 0.75), (-0.9, 0.1, -0.1), (-0.5, 0.5, -0.85),
-          (0.5, 0.7, -0.85), (0.9, 0.2, -0.1), (0.75, 0.4, 0.75)]
-"""In half sizes of the space. The first and the last are moved a little from where they begin."""
-STEP, PLAYED = 0.9, 0.12
-"""Seconds for which a step, and a picture of the playing, is shown."""
+SPACE = Space(136.8, (309, 274))
+"""Where the space is seen in a window of this size."""
+PLACES = [(-0.85, 0.3, 0.1), (-0.7, 0.6, -0.65), (0.75, 0.6, -0.65), (0.85, 0.3, 0.1)]
+"""Where the points in the middle are dragged, in half edges of the space."""
+WHOLE, FRAME = (730, 288), (165, 532)
+"""The button that looks at the whole object, and the field of the frame."""
+PICTURES = 24
+STEP, SHOWN = 0.9, 0.15
+"""Pictures of the flight, and seconds for which a step and one of them is shown."""
 
 
 class Film:
@@ -100,6 +103,12 @@ def changed(before, rows):
     return left, top, [row[left:right] for row in rows[top:bottom]]
 
 
+def frames(hand):
+    """How many frames the flight has."""
+    hand.save_first()
+    return len(hand.poses())
+
+
 def main():
     """See the top."""
     vides, out = map(os.path.abspath, sys.argv[1:3])
@@ -118,36 +127,30 @@ def main():
                 if steps:
                     server.picture(window).save(os.path.join(steps, name + ".png"))
 
-            space = server.seen(window, first_look, "the space")
             step("1-begin")
             hand.keys("ctrl+i", "4")
             step("2-points")
             for number in range(1, 5):
-                begin = [PLACES[0][k] + (PLACES[5][k] - PLACES[0][k]) * number / 5 for k in range(3)]
-                begin = [(-0.6 + 1.2 * number / 5), 0.2, 0.8]
-                goal = PLACES[number]
+                begin = -0.6 + 1.2 * number / 5, 0.2, 0.8
+                goal = PLACES[number - 1]
                 along = goal[0], begin[1], goal[2]
-                hand.drag(space.image(begin), space.image(along), 2)
-                hand.drag(space.image(along), space.image(goal), 3)
+                hand.drag(SPACE.image(begin), SPACE.image(along), 2)
+                hand.drag(SPACE.image(along), SPACE.image(goal), 3)
                 hand.away()
                 step(f"3-drag-{number}")
-            x, y = map(round, space.image((0, 0, 0)))
-            server.xdotool("mousemove", "--window", window, x, y)
+            server.click(window, *WHOLE)
             server.drawn(window)
             hand.keys("F7")
             hand.away()
             step("4-aim")
-            hand.keys("Home", "space")
-            end = time.monotonic() + 60
-            last = None
-            while time.monotonic() < end:
-                picture = server.picture(window)
-                if last and picture.rows == last.rows:
-                    break
-                film.add(picture, PLAYED)
-                last = picture
-                time.sleep(0.25)
-            step("5-played")
+            count = frames(hand)
+            for number in range(PICTURES + 1):
+                server.click(window, *FRAME)
+                server.xdotool("key", "--delay", "20", "ctrl+a")
+                hand.typed(1 + round((count - 1) * number / PICTURES))
+                hand.away()
+                film.add(server.drawn(window), SHOWN)
+            step("5-end")
     film.save(out)
     print(f"{out}: {len(film.frames)} pictures, {os.path.getsize(out)} bytes")
 
