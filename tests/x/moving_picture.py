@@ -1,8 +1,9 @@
 """A flight made in the window, as a moving picture for the README and the first pages:
 moving_picture.py VIDES OUT.png [STEPS_FOLDER]
 
-Points are put and dragged around a knot and aimed at it; then the flight is shown, frame by frame. The picture is an APNG with a
-palette, each frame only what differs from the one before. STEPS_FOLDER gets a PNG of each step.
+Points are put and dragged around a knot and aimed at it; then the flight is shown, frame by frame.
+The picture is an APNG with a palette, each frame only what differs from the one before. STEPS_FOLDER
+gets a PNG of each step.
 """
 
 import collections
@@ -23,11 +24,15 @@ SPACE = Space(136.8, (309, 274))
 """Where the space is seen in a window of this size."""
 PLACES = [(-0.85, 0.3, 0.1), (-0.7, 0.6, -0.65), (0.75, 0.6, -0.65), (0.85, 0.3, 0.1)]
 """Where the points in the middle are dragged, in half edges of the space."""
-WHOLE, FRAME = (730, 288), (165, 532)
-"""The button that looks at the whole object, and the field of the frame."""
-PICTURES = 24
+TARGET, NUMBERS, FRAME = (650, 234), [(660, 261), (740, 261), (820, 261)], (165, 532)
+"""The button of a target, its three numbers, and the field of the frame."""
+PICTURES = 20
 STEP, SHOWN = 0.9, 0.15
-"""Pictures of the flight, and seconds for which a step and one of them is shown."""
+"""Pictures of the flight, and the seconds for which a step and one of them are shown."""
+
+
+CLEAR = 255
+"""In the palette: what the picture before shows."""
 
 
 class Film:
@@ -51,7 +56,7 @@ class Film:
             for row in rows:
                 count.update(row)
         parts = lambda colour: (colour >> 16 & 255, colour >> 8 & 255, colour & 255)
-        chosen = [colour for colour, _ in count.most_common(256)]
+        chosen = [colour for colour, _ in count.most_common(CLEAR)]
         places = [parts(colour) for colour in chosen]
 
         def nearest(colour):
@@ -75,12 +80,14 @@ class Film:
             out.write(b"\x89PNG\r\n\x1a\n")
             chunk(b"IHDR", struct.pack(">2I5B", width, height, 8, 3, 0, 0, 0))
             chunk(b"acTL", struct.pack(">2I", len(shown), 0))
+            places += [(0, 0, 0)] * (CLEAR + 1 - len(places))
             chunk(b"PLTE", bytes(value for place in places for value in place))
+            chunk(b"tRNS", b"\xff" * CLEAR + b"\0")
             order, before = 0, None
             for rows, (_, seconds) in zip(shown, self.frames):
                 x, y, part = changed(before, rows)
                 chunk(b"fcTL", struct.pack(">5I2H2B", order, len(part[0]), len(part), x, y,
-                                           round(1000 * seconds), 1000, 0, 0))
+                                           round(1000 * seconds), 1000, 0, 1))
                 order += 1
                 data = zlib.compress(b"".join(b"\0" + row for row in part), 9)
                 if before is None:
@@ -93,14 +100,16 @@ class Film:
 
 
 def changed(before, rows):
-    """The rectangle that differs: its corner, and its rows."""
+    """The rectangle that differs: its corner, and its rows, clear where they are the same."""
     if before is None:
         return 0, 0, rows
     differ = [y for y, (a, b) in enumerate(zip(before, rows)) if a != b] or [0]
     top, bottom = differ[0], differ[-1] + 1
     columns = [x for y in differ for x, (a, b) in enumerate(zip(before[y], rows[y])) if a != b] or [0]
     left, right = min(columns), max(columns) + 1
-    return left, top, [row[left:right] for row in rows[top:bottom]]
+    part = [bytes(CLEAR if a == b else b for a, b in zip(before[y][left:right], rows[y][left:right]))
+            for y in range(top, bottom)]
+    return left, top, part
 
 
 def frames(hand):
@@ -138,7 +147,10 @@ def main():
                 hand.drag(SPACE.image(along), SPACE.image(goal), 3)
                 hand.away()
                 step(f"3-drag-{number}")
-            server.click(window, *WHOLE)
+            server.click(window, *TARGET)
+            server.drawn(window)
+            for place in NUMBERS:
+                hand.number((*place, 0, 0), 0)
             server.drawn(window)
             hand.keys("F7")
             hand.away()
