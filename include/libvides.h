@@ -1905,7 +1905,8 @@ int v_scene_new(V_SCENE **scene);
  * returns "".
  * V_ERR_IO, V_ERR_FORMAT, V_ERR_MEMORY, V_ERR_LIMIT.
  */
-int v_scene_load(const char *file, V_SCENE **scene);
+int v_scene_load(const char *file,
+                 V_SCENE **scene);
 
 /**
  * Like v_scene_load(), from the text of a .vid file: size bytes, which need not be

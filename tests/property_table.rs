@@ -12,7 +12,7 @@ const END: &str = "<!-- end -->";
 
 /// Kind, unit and range of a value, as "number (mm), 1 to 2000".
 fn value(row: &Listed) -> String {
-    let mut out = row.kind.to_owned();
+    let mut out = row.kind.to_string();
     if !row.unit.name().is_empty() {
         write!(out, " ({})", row.unit.name()).unwrap();
     }
