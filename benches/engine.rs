@@ -1,5 +1,5 @@
 //! Speed of the engine: `cargo bench`. `benches/table.py` turns the figures
-//! into the tables of `docs/accuracy_and_speed.md`, beside those of other libraries.
+//! into the tables of `docs/theory/accuracy-and-speed.md`, beside those of other libraries.
 //!
 //! All benchmarks run on one path, a wobbling curve in the cube with a camera
 //! that turns, rolls and zooms steadily. `benches/peers/bench_path.py` and

@@ -1,5 +1,5 @@
 //! What planners cost by the points of the path and by the triangles of the object: smooth, equal,
-//! degenerate and overlapping ones. `benches/table.py --planners` draws it (`docs/planners.svg`).
+//! degenerate and overlapping ones. `benches/table.py --planners` draws it (`docs/theory/planners.svg`).
 //!
 //! Each prints `name kind count seconds`, the longest pause between two questions whether to go on,
 //! and what came of it. What takes longer than [`LIMIT`] is stopped by its

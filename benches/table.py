@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs every benchmark and prints the Markdown tables of docs/accuracy_and_speed.md.
+"""Runs every benchmark and prints the Markdown tables of docs/theory/accuracy-and-speed.md.
 
     python3 benches/table.py            # all of it, some eight minutes
     python3 benches/table.py --no-peers # without other libraries
@@ -188,19 +188,19 @@ def planners(file, measured=None):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--no-peers", action="store_true")
-    parser.add_argument("--growth", action="store_true", help="only draw docs/growth.svg")
+    parser.add_argument("--growth", action="store_true", help="only draw docs/theory/growth.svg")
     parser.add_argument("--planners", nargs="?", const="", metavar="MEASURED",
-                        help="only draw docs/planners.svg, of a file with lines of the benchmark")  # fmt: skip
+                        help="only draw docs/theory/planners.svg, of a file with lines of the benchmark")  # fmt: skip
     options = parser.parse_args()
 
     if options.planners is not None:
         lines = Path(options.planners).read_text() if options.planners else None
-        return planners(ROOT / "docs" / "planners.svg", lines)
+        return planners(ROOT / "docs" / "theory" / "planners.svg", lines)
     if options.growth:
-        return draw(engine(TARGET, "", "growth/"), ROOT / "docs" / "growth.svg")
+        return draw(engine(TARGET, "", "growth/"), ROOT / "docs" / "theory" / "growth.svg")
     dispatched = engine(TARGET, "")
     baseline = engine(TARGET / "baseline", "--cfg vides_no_simd", "sample/")
-    draw(dispatched, ROOT / "docs" / "growth.svg")
+    draw(dispatched, ROOT / "docs" / "theory" / "growth.svg")
     listed = list_figures()
     check_paths(dispatched["sample/100_prepared"][1], listed)
     peers = {} if options.no_peers else json.loads(run(sys.executable, HERE / "peers" / "peers.py", "--json"))

@@ -1,8 +1,8 @@
 /*
  * libvides: camera paths through space
  *
- * A path has a few points; each has one or more views (orientations of the camera).
- * The library computes every camera pose in between. Link with -lvides -lm.
+ * A path has a few points, each with one or more views (orientations); the library
+ * computes every camera pose in between. Link with -lvides -lm.
  * cbindgen makes this file from the library's source.
  *
  * Where to begin
@@ -29,12 +29,11 @@
  *   it writes only that number and fails with V_ERR_SIZE; with NULL and capacity 0 it
  *   writes only that number, which must not be NULL.
  * - Structs that begin with size may grow at their end in later versions. Set size to
- *   sizeof the struct before any call, even if the library fills in the rest. Programs
- *   compiled with an earlier 1.x may have a shorter struct; any other size fails with
- *   V_ERR_SIZE. v_..._init() sets it, and the defaults. Where there is also
- *   v_..._init_sized(), the first is a macro in C that passes the struct's size; the
- *   function, for other languages (ctypes, JNI, bindgen), fills in the struct of
- *   version 1.0.
+ *   sizeof the struct before any call, even if the library fills in the rest. That of
+ *   an earlier 1.x may be shorter; any other size fails with V_ERR_SIZE. v_..._init()
+ *   sets it, and the defaults. Where there is also v_..._init_sized(), the first is a
+ *   macro in C that passes the struct's size; the function, for other languages
+ *   (ctypes, JNI, bindgen), fills in the struct of version 1.0.
  * - Ownership. The library copies what it is given. It keeps only the pointers given
  *   to v_haupt(), and the callbacks and user pointers of v_editor_open(),
  *   v_register_interpolation() and v_set_progress(). You free the paths, scenes and
@@ -46,9 +45,9 @@
  * - Threads. A window belongs to the thread that opened it. Every other function may
  *   be called from any thread; calls on the same path or scene are atomic. The library
  *   works on your thread. It starts one to resolve the name of a remote display, and
- *   one, in a program with Xt, to find out whether windows are served; both block all
- *   signals, call none of your functions, and end without your help. A call uses at
- *   most 128 KiB of your thread's stack.
+ *   one, in a program with Xt, to see whether windows are served; both block all
+ *   signals, call none of your functions, and end. A call uses at most 128 KiB of your
+ *   thread's stack.
  * - X server. If it is missing or goes away, its windows close, v_last_error()
  *   returns the reason, and your program continues.
  * - Counting. Points, orientations, segments, sections, presets, nodes, tracks,
@@ -628,7 +627,7 @@ typedef struct v_editor V_EDITOR;
 
 /**
  * Options of an editor window. What they point to, except user, need only remain valid
- * during v_editor_open().
+ * during v_editor_open(). A callback that is NULL is not called.
  */
 struct v_editor_options {
     size_t size;
@@ -689,9 +688,9 @@ struct v_editor_options {
     int space_up;
     /**
      * called with the camera at the playhead whenever it has changed, at most 60 times
-     * a second, even if the window is covered, iconified or not shown; reason is one
-     * of V_VIEW_.... The pose is valid until it returns. After a call of more than 30
-     * ms the next one waits as long; the last pose always arrives. NULL: none
+     * a second, even if the window is not visible; reason is one of V_VIEW_.... The pose
+     * is valid until it returns. After a call of more than 30 ms the next one waits as
+     * long; the last pose always arrives
      */
     void (*on_view)(V_EDITOR *editor,
                     const V_POSE *pose,
@@ -699,10 +698,9 @@ struct v_editor_options {
                     int reason,
                     void *user);
     /**
-     * called, like on_view, when the path in the window has changed: after each step,
-     * undo and redo, not during a drag; steps within a sixtieth of a second are
-     * combined. A tool's preview before OK is no change, nor for on_view, on_frame and
-     * on_poses. NULL: none
+     * called, like on_view, when the path has changed: after each step, undo and redo,
+     * not during a drag; steps within a sixtieth of a second are combined. A tool's
+     * preview before OK is no change, nor for on_view, on_frame and on_poses
      */
     void (*on_change)(V_EDITOR *editor, void *user);
     /**
@@ -717,10 +715,9 @@ struct v_editor_options {
      * which has the screen's own visual, or in a child window of any visual that you
      * create there and that is kept at its size. A pane is never destroyed while the
      * process lives: it is unmapped, a child is moved to the root window and unmapped,
-     * and then this is called. When the editor closes, also by v_editor_close(), that
-     * is after its window is gone; its handle may be freed already. Not called when
-     * the thread ends. Without XFIXES or SHAPE there is no pane. NULL: the editor
-     * draws the picture itself
+     * and then this is called; when the editor closes, after its window is gone and
+     * perhaps its handle freed. Not called when the thread ends. Without XFIXES or SHAPE
+     * there is no pane. NULL: the editor draws the picture itself
      */
     void (*on_pane)(V_EDITOR *editor,
                     unsigned long window,
@@ -754,24 +751,22 @@ struct v_editor_options {
      */
     int hand_over_saves;
     /**
-     * for programs that draw the scene themselves (v_editor_get_scene(),
-     * v_scene_evaluate()): called with the scene's frame at the playhead and
-     * V_VIEW_... when that frame or the scene has changed, as often as on_view. NULL:
-     * none
+     * for programs that draw the scene themselves (v_scene_evaluate()): called with the
+     * scene's frame at the playhead and V_VIEW_... when that frame or the scene has
+     * changed, as often as on_view
      */
     void (*on_frame)(V_EDITOR *editor, double frame, int reason, void *user);
     /**
      * what your program's picture shows when the window opens. A new path begins with
      * it and leads to the right, around what is in the middle of the picture; on_view
-     * is called only when the camera has changed: opening the window does not move
-     * your picture. NULL: a new path looks at the object, and on_view is called at
-     * once
+     * is called only when the camera has changed. NULL: a new path looks at the object,
+     * and on_view is called at once
      */
     const V_POSE *view;
     /**
      * called once, after the window is gone; reason is one of V_GONE_.... You may free
      * the handle here; any other use of it fails with V_ERR_CLOSED. Not called when
-     * v_editor_close() closes the window or its thread ends. NULL: none
+     * v_editor_close() closes the window or its thread ends
      */
     void (*on_gone)(V_EDITOR *editor, int reason, void *user);
 };
@@ -841,9 +836,8 @@ const char *v_version(void);
 /* ---- The interface of 1994 --------------------------------------------------- */
 
 /**
- * Opens an editor window for a camera path and returns at once. Each call opens
- * another, independent window, on the display that the program's Xt opened last;
- * without Xt, on the environment's DISPLAY. It works in your program's event loop: a
+ * Opens an editor window and returns at once. Each call opens another, independent
+ * window, on the display that the program's Xt opened last; without Xt, on DISPLAY. A
  * program with an Xt or Motif main loop needs nothing more; others see v_fd() and
  * v_main_loop(). Work not handed over or saved when the program ends is offered at its
  * next start; for your own Quit see v_editors_close().
@@ -863,9 +857,8 @@ const char *v_version(void);
  *
  * Call it from the thread that runs the event loop; rueck and ende run there, by the
  * rules of v_editor_open(). Wrong arguments, a window that cannot be opened, or one
- * that closes because its thread ends are reported in one line on standard error that
- * begins with "vides:"; the first two also by v_last_error(), and in the window if
- * there is one.
+ * that closes because its thread ends are reported in a line on standard error that
+ * begins with "vides:"; the first two also by v_last_error(), and in the window.
  */
 void v_haupt(float move_speed,
              float orient_speed,
@@ -893,12 +886,11 @@ void v_free_liste(V_KAMERAPAR *first);
  * readable, call v_dispatch(). It stays the same and open as long as the thread lives;
  * never read or close it. Returns -1 if the system has no more descriptors.
  *
- * The functions of this section concern the windows that the calling thread opened. A
- * program with an Xt or Motif main loop needs none of them: Xt serves its windows,
- * even if the program calls XtAppPending() first, unless it processes XtIMXEvent only.
- * Any other program, also one that runs Xt under its own select(), watches this
- * descriptor or calls v_main_loop(). If no loop serves a window, a hint appears on
- * standard error.
+ * The functions of this section concern the calling thread's windows. A program with an
+ * Xt or Motif main loop needs none of them, even if it calls XtAppPending() first,
+ * unless it processes XtIMXEvent only. Any other program, also one that runs Xt under
+ * its own select(), watches this descriptor or calls v_main_loop(). If no loop serves a
+ * window, a hint appears on standard error.
  */
 int v_fd(void);
 
@@ -1183,9 +1175,8 @@ int v_path_set_ahead(V_PATH *path,
 int v_path_get_ahead(const V_PATH *path, int point, int at, double *distance);
 
 /**
- * Sets which way is up for an orientation, before its roll, whether it looks at a
- * target or ahead. Between two orientations with the same view and up, the camera
- * keeps both throughout.
+ * Sets which way is up for an orientation, before its roll. Between two orientations
+ * with the same view and up, the camera keeps both throughout.
  *
  * up  "axis"     the up axis of the space, the default
  *     "point"    towards up_point
@@ -1339,7 +1330,7 @@ int v_path_get_object(const V_PATH *path,
 /**
  * Sets a property of a path by its name, like `vides set`, atomically.
  *
- * name  a key of .vid files (docs/files.md), points and orientations counted from 1:
+ * name  a key of .vid files (docs/reference/files.md), points and orientations counted from 1:
  *     "closed", "point.2.position", "point.2.zoom" (of its first orientation),
  *     "point.2.view.3.zoom" and so on
  * value  as in the file: "30" or "[0, 1, 2]". Text needs no quotes; "" restores the
@@ -1470,11 +1461,10 @@ int v_path_get_tangents(const V_PATH *path,
 /**
  * Inserts a point on the curve where the camera is at a frame, without changing the
  * curve, any pose or the number of frames. It gets the nearest whole frame within the
- * section; a section of one frame becomes two, split where you ask. Neighbouring
- * points get custom tangents, and orientations a custom angular velocity, custom
- * slopes of zoom and roll, and a part of the old speed profile. Such tangents are
- * removed when their point or a neighbour moves alone; v_path_set_tangents() makes
- * them permanent. *at receives its index; it may be NULL.
+ * section; a section of one frame becomes two, split where you ask. Neighbours get
+ * custom tangents, angular velocities, slopes of zoom and roll, and a part of the old
+ * speed profile. Such tangents are removed when their point or a neighbour moves alone;
+ * v_path_set_tangents() makes them permanent. *at receives the index; it may be NULL.
  *
  * frame  not at a key, not in a pan, not with V_ORIENTATION_BARRY_GOLDMAN
  * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
@@ -1599,10 +1589,8 @@ int v_path_get_frames_locked(const V_PATH *path, int point, int at, int *locked)
  * included. 0 and the last point stand for the whole path, if closed with the way back
  * to the first. On a closed path first_point may be after last_point.
  *
- * Sections share the frames in proportion to those they have now (unrounded if they
- * follow from the length), at least one each, by largest remainder; ties go to the
- * earlier section. Locked sections keep theirs. If frames is too small, v_last_error()
- * returns the least.
+ * Sections share the frames in proportion to those they have, at least one each; locked
+ * ones keep theirs. If frames is too small, v_last_error() returns the least.
  * V_ERR_RANGE, V_ERR_MEMORY.
  */
 int v_path_fit_frames(V_PATH *path,
@@ -1647,37 +1635,28 @@ int v_path_point_at_length(const V_PATH *path,
 
 /**
  * Makes a path by a ready-made move, at 25 frames per second and one speed. parameters
- * has the numbers in the order below, a position as three; those after count have the
- * defaults in parentheses. Headings are seen from the target: 0 is towards +z, 90
- * towards +x.
+ * has the numbers in the order below; those after count have the defaults in
+ * parentheses. around and at are three numbers, from, to, rise and tilt degrees. Headings
+ * are seen from the target: 0 is towards +z, 90 towards +x.
  *
  * "orbit"  on a circle round a target
- *     around x y z (0), radius (1), height (0.4), from degrees (0), turns (1),
- *     zoom mm (24), seconds (10)
+ *     around (0), radius (1), height (0.4), from (0), turns (1), zoom (24), seconds (10)
  * "spiral"  round a target with another radius and height at the end
- *     around x y z (0), radius (1), height (0.4), from degrees (0), turns (1),
- *     zoom mm (24), seconds (10), end-radius (0.5), end-height (1)
+ *     as "orbit", end-radius (0.5), end-height (1)
  * "arc"  on a part of a circle, from one heading to another
- *     around x y z (0), radius (1), height (0.4), from degrees (-45),
- *     to degrees (45), zoom mm (24), seconds (10)
+ *     around (0), radius (1), height (0.4), from (-45), to (45), zoom (24), seconds (10)
  * "flyby"  straight past a target that stays in view
- *     around x y z (0), distance (1), height (0.4), from degrees (0),
- *     length (2), zoom mm (24), seconds (10)
+ *     around (0), distance (1), height (0.4), from (0), length (2), zoom (24), seconds (10)
  * "approach"  straight towards a target
- *     around x y z (0), distance (1), end-distance (0.4), from degrees (0),
- *     rise degrees (15), zoom mm (24), seconds (10)
+ *     around (0), distance (1), end-distance (0.4), from (0), rise (15), zoom (24), seconds (10)
  * "dolly-zoom"  towards a target that keeps its size in the picture
- *     around x y z (0), distance (1), end-distance (0.4), from degrees (0),
- *     rise degrees (15), zoom mm (60), seconds (10)
+ *     as "approach", zoom (60)
  * "crane"  straight up or down beside a target that stays in view
- *     around x y z (0), radius (1), height (-0.2), end-height (1),
- *     from degrees (0), zoom mm (24), seconds (10)
+ *     around (0), radius (1), height (-0.2), end-height (1), from (0), zoom (24), seconds (10)
  * "pan"  turns on the spot
- *     at x y z (0), from degrees (-45), to degrees (45), tilt degrees (0),
- *     zoom mm (24), seconds (10)
+ *     at (0), from (-45), to (45), tilt (0), zoom (24), seconds (10)
  * "figure-eight"  on an eight that lies before the target
- *     around x y z (0), radius (0.7), height (0.4), width (1.2),
- *     from degrees (0), zoom mm (24), seconds (10)
+ *     around (0), radius (0.7), height (0.4), width (1.2), from (0), zoom (24), seconds (10)
  *
  * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
@@ -1739,13 +1718,11 @@ int v_path_extract(const V_PATH *path,
                    V_PATH **block);
 
 /**
- * Inserts a copy of another path, block, which may be the same, after point at. The
- * block keeps its curve and targets, the rest of the path its curve; where they join,
- * both have the same direction.
- *
- * Except with V_FIT_NONE, the block's first point is merged with that point, which
- * keeps its views; with V_FIT_SCALE its last point likewise with the next one. A
- * closed block ends where it begins. Duplicate names get a number.
+ * Inserts a copy of a path, block, which may be the same, after point at. Both keep
+ * their curves, the block its targets; where they join, they have one direction. Except
+ * with V_FIT_NONE, the block's first point is merged with that point, which keeps its
+ * views; with V_FIT_SCALE its last point likewise with the next one. A closed block ends
+ * where it begins. Duplicate names get a number.
  * V_ERR_ARGUMENT (no direction, or no length to scale), V_ERR_RANGE, V_ERR_LIMIT,
  * V_ERR_MEMORY.
  */
@@ -1771,9 +1748,8 @@ int v_path_repeat(V_PATH *path, int count);
 /**
  * Makes the weighted sum of paths, point by point: positions, curve, targets, roll,
  * zoom and speeds; also fixed frames (rounded), angular velocities and slopes that all
- * paths have. Paths with fewer points are first resampled by length to the largest
- * number. Everything else comes from the path with the greatest weight. The count
- * weights have the sum 1.
+ * have. Paths with fewer points are first resampled by length. Everything else comes
+ * from the path with the greatest weight. The count weights have the sum 1.
  * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_blend(V_PATH *const *paths,
@@ -1847,10 +1823,10 @@ int v_path_poses_at(const V_PATH *path,
                     V_POSE *poses);
 
 /**
- * Makes a list of all poses, see V_KAMERAPAR. first is your element; set its number
- * before, to -1 if there is no data yet. A list that VIDES made there before is freed
- * when the new one is complete, and unchanged if the call fails; any other is
- * forgotten but not freed. No other thread may use the list meanwhile.
+ * Makes a list of all poses, see V_KAMERAPAR. Set the number of first before, to -1 if
+ * there is no data yet. A list that VIDES made there before is freed when the new one is
+ * complete, and unchanged if the call fails; any other is forgotten but not freed. No
+ * other thread may use the list meanwhile.
  * V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_to_list(const V_PATH *path,
@@ -1913,9 +1889,9 @@ void v_node_init(V_NODE *node,
                  int kind);
 
 /**
- * Makes a new scene: one camera, "camera", on the path of v_path_new(), starting at
- * frame 1. For a space of your world, call v_scene_set_space(), then
- * v_scene_set_path() for node 0 with a path of v_path_new_in_space().
+ * Makes a new scene: one camera, "camera", on the path of v_path_new(), from frame 1.
+ * For another space, call v_scene_set_space(), then v_scene_set_path() for node 0 with a
+ * path of v_path_new_in_space().
  * V_ERR_MEMORY, V_ERR_LIMIT.
  */
 int v_scene_new(V_SCENE **scene);
@@ -1923,13 +1899,14 @@ int v_scene_new(V_SCENE **scene);
 /**
  * Reads a scene from a .vid file; one with only a path gives a camera on it.
  *
- * An object is left empty if its mesh is in a separate file that is missing or
- * malformed, or outside the folder of the .vid file once links are followed
- * (v_scene_load_geometry() reads it from anywhere); a mesh file that has changed is
- * read as it is. v_last_warning() reports this, or returns "".
+ * An object is left empty if its mesh file is missing, malformed, or outside the folder
+ * of the .vid file once links are followed (v_scene_load_geometry() reads it from
+ * anywhere); one that has changed is read as it is. v_last_warning() reports this, or
+ * returns "".
  * V_ERR_IO, V_ERR_FORMAT, V_ERR_MEMORY, V_ERR_LIMIT.
  */
-int v_scene_load(const char *file, V_SCENE **scene);
+int v_scene_load(const char *file,
+                 V_SCENE **scene);
 
 /**
  * Like v_scene_load(), from the text of a .vid file: size bytes, which need not be
@@ -1986,7 +1963,7 @@ int v_scene_add_node(V_SCENE *scene,
 /**
  * Removes a node with all its descendants. The numbers of later nodes decrease; nodes
  * that aimed at a removed one no longer aim. Removing many in a row costs as much as
- * one, even if you read nodes, their names and number in between.
+ * one, even if you read nodes in between.
  * V_ERR_RANGE, V_ERR_MEMORY.
  */
 int v_scene_remove_node(V_SCENE *scene,
@@ -2301,9 +2278,9 @@ int v_scene_remove_deformation(V_SCENE *scene,
 
 /**
  * Deforms points in place. u, v, w run from -1 to 1 along the sides of the box (min x
- * y z, max x y z); along a side of length 0 they are 0 and points do not move. Axes
- * are 0, 1, 2. Angles are degrees in u, v, w: in a box that is not a cube, rotations
- * are stretched with it. Tracks can animate the names in parentheses.
+ * y z, max x y z); along a side of length 0 points do not move. Axes are 0, 1, 2.
+ * Angles are degrees in u, v, w, stretched with a box that is not a cube. Tracks can
+ * animate the names in parentheses.
  *
  * "taper"      axis a (a): the other two times 1 + (a-1)(1-u^2)
  * "taper"      axis r0 r1 (r0 r1): from r0 at one end to r1 at the other
@@ -2531,9 +2508,8 @@ int v_scene_export(const V_SCENE *scene,
  * fitted with few points; with "as=keys", or fewer than three poses, a camera with one
  * key each.
  *
- * format  gltf, glb, usda, nerfstudio, transforms, instant-ngp, cameras, supersplat, tum,
- *     euroc, kitti, matrices, open3d, record3d, polycam, colmap, osg, chan, paraview (as
- *     v_scene_export() writes it; no code is run), ascii, csv, json or vid; NULL: by the
+ * format  as for v_scene_export(), without blender, vtk and html, and also record3d and
+ *     polycam; paraview as v_scene_export() writes it, no code is run. NULL: by the
  *     content
  * options  as for v_scene_export()
  *
@@ -2612,10 +2588,9 @@ int v_path_fit_poses_in_space(const V_POSE *poses,
                               V_PATH **path);
 
 /**
- * Like v_path_fit_poses_in_space(), but ignores outliers: poses that differ by more
- * than the tolerance from what their neighbours suggest. *left_out receives their
- * number, and may be NULL; the last sentence of v_last_warning() names
- * it and the first one.
+ * Like v_path_fit_poses_in_space(), without outliers: poses farther than the tolerance
+ * from what their neighbours suggest. *left_out receives their number, and may be NULL;
+ * the last sentence of v_last_warning() names it and the first one.
  * V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED.
  */
 int v_path_fit_poses_robust(const V_POSE *poses,
@@ -2630,39 +2605,34 @@ int v_path_fit_poses_robust(const V_POSE *poses,
 
 /**
  * Finds what will look wrong: jerks, flips, collisions. Writes one finding per kind
- * and run of frames to your array, in their order. Lengths are in units of the space's
- * half_size. In parentheses: the default limits.
+ * and run of frames to your array, in their order. docs/reference/tools.md describes
+ * the kinds; in parentheses their default limits, lengths in units of half_size.
  *
- * "space"         the camera is outside the space by more than the limit (0)
- * "cusp"          curve or speed nearly stop in a section (0.02 of the mean)
- * "speed-jump"    at a key, as a fraction of the mean speed (0.5)
+ * "space"         outside the space (0)
+ * "cusp"          curve or speed nearly stop (0.02 of the mean)
+ * "speed-jump"    at a key, of the mean speed (0.5)
  * "acceleration"  per second squared (10)
  * "view-jump"     degrees at once (1)
  * "turning"       degrees per second (60)
  * "turning-acceleration"  degrees per second squared (300)
- * "half-turn"     degrees from a half turn, whose direction is ambiguous (0.1)
- * "pole"          degrees from straight up or down, below the limit (3)
- * "target"        the target is nearer than the limit (0.05)
- * "clearance"     the object is nearer than the limit (0.02)
- * "through"       the camera passes through a triangle of the object
- * "nothing-to-see"  nothing of the object in the picture, seconds (1)
+ * "half-turn"     degrees from a half turn (0.1)
+ * "pole"          degrees from straight up or down (3)
+ * "target"        distance (0.05)
+ * "clearance"     distance of the object (0.02)
+ * "through"       through a triangle of the object
+ * "nothing-to-see"  seconds without the object in the picture (1)
  * "zoom"          mm per second (30)
- * "redundant"     removing a key would change the poses by less than the limit times
- *                 0.001, 0.1 degrees and 0.1 mm (1)
- * "corner"        degrees by which the path turns at a point (60)
- * "jerk"          per second cubed, the third difference of the positions at whole
- *                 frames (off)
+ * "redundant"     times 0.001, 0.1 degrees and 0.1 mm that a key changes (1)
+ * "corner"        degrees (60)
+ * "jerk"          per second cubed (off)
  * "speed"         per second (off)
- * "crossing"      seconds in which what is in the middle of the picture, at the distance
- *                 of the target (or the middle of the space), would cross it; below the
- *                 limit (off)
- * "backwards"     the curve runs backwards between points that lead forwards (0.001);
- *                 a "centripetal" curve does not
+ * "crossing"      seconds in which what is seen crosses the picture (off)
+ * "backwards"     distance back between points that lead on (0.001)
  *
- * A hold between sections without an ease, and a turn on the spot between such
- * sections, begin and end abruptly: a "speed-jump", an "acceleration" or a
- * "turning-acceleration" only if that limit is not the default. The distance to the
- * object is computed three times per frame, as by v_path_avoid().
+ * A hold, or a turn on the spot, between sections without an ease counts as a
+ * "speed-jump", an "acceleration" or a "turning-acceleration" only if that limit is not
+ * the default. The distance to the object is computed three times per frame, as by
+ * v_path_avoid().
  *
  * object  the obstacle, in the coordinates of the path; NULL: the path's own, with its
  *     faces, if it has one
@@ -2706,8 +2676,8 @@ void v_limits_init_sized(V_LIMITS *limits, size_t size);
  * Recomputes the speed profile between the first orientation of one point and the last
  * of another, as fast as the limits allow, in at most 40 rounds over the sections.
  * Curve and views do not change. The camera rests at the ends of an open path, at held
- * keys, and where curve or view have a kink; v_last_warning() lists these. The
- * sections get fixed frames, a distance curve and a curve time; others do not change.
+ * keys, and where curve or view have a kink, which v_last_warning() lists. The sections
+ * get fixed frames, a distance curve and a curve time.
  *
  * limits  NULL: the path's own, see v_path_set_limit()
  * first_point, last_point  as for v_path_fit_frames()
@@ -2724,11 +2694,10 @@ int v_path_retime(V_PATH *path,
                   double seconds);
 
 /**
- * Stabilises a recorded flight: positions, views and zoom pass a low-pass filter
- * without lag, at whole frames; v_path_fit_poses() then makes a path of few points and
- * as many frames. The first and the last pose do not change. Names, targets and modes
- * are discarded; a closed path becomes open. v_last_warning() returns how far the path
- * moved.
+ * Stabilises a recorded flight: a low-pass filter without lag at whole frames, then
+ * v_path_fit_poses() with as many frames. The first and the last pose do not change.
+ * Names, targets and modes are discarded; a closed path becomes open. v_last_warning()
+ * returns how far the path moved.
  *
  * seconds  cut-off period: motion of this period is halved, faster motion is removed;
  *     > 0 and at most 2,000 frames
@@ -2741,15 +2710,15 @@ int v_path_steady(V_PATH *path,
                   double within);
 
 /**
- * Moves a path away from an object. Where the camera, or a sphere around it, comes
- * nearer than the clearance or passes through the object, points move as little as
- * possible and as few as possible are added. Points that were clear do not move,
- * except within a closed part of the object between others outside. Frames and targets
- * do not change. v_last_warning() returns a line for each changed part, or "".
+ * Moves a path away from an object where the camera, or a sphere around it, comes
+ * nearer than the clearance or passes through: points move as little, and as few are
+ * added, as possible. Points that were clear do not move, except within a closed part of
+ * the object between others outside. Frames and targets do not change. v_last_warning()
+ * returns a line for each changed part, or "".
  *
- * Each part takes at most a few searches of a grid with 96 cells along its longest
- * side; a distance query, the logarithm of the number of triangles, up to that number
- * if they overlap widely.
+ * A part takes at most a few searches of a grid with 96 cells along its longest side;
+ * a distance, the logarithm of the number of triangles, up to that number if they
+ * overlap widely.
  *
  * object  in the coordinates of the path; NULL: the path's own
  * clearance, radius  in the path's units; clearance > 0, radius of the sphere 0 or
@@ -2764,11 +2733,11 @@ int v_path_avoid(V_PATH *path,
                  double radius);
 
 /**
- * Keeps an object whole in the picture less margin, at every frame and between. With
- * zoom or distance it is as large as the margin and the path's limits of zoom, or of
- * speed and acceleration, allow; with the view the camera turns no more than
- * necessary. Frames and speed profile do not change; points are added where keys are
- * not enough. Takes 20 positions per frame, each tried at most 60 times.
+ * Keeps an object whole in the picture less margin, at every frame and between. By zoom
+ * or distance it is as large as the margin and the path's limits of zoom, or of speed
+ * and acceleration, allow; by the view the camera turns no more than necessary. Frames
+ * and speed profile do not change; points are added where keys are not enough. Takes 20
+ * positions per frame, each tried at most 60 times.
  *
  * object  in the coordinates of the path; NULL: the path's own, with the objects of
  *     its scene
@@ -2796,8 +2765,7 @@ void v_tour_init_sized(V_TOUR *tour, size_t size);
  * Plans a flight that shows an object: the fewest positions from which the wanted
  * fraction of its surface is seen, a short path through them that keeps clear of it,
  * and a speed profile within the limits of v_path_check(), at 25 frames per second.
- * Takes the time of about 300 pictures, some seconds for a million triangles, and
- * about 300 bytes per triangle.
+ * Takes some seconds for a million triangles, and about 300 bytes per triangle.
  *
  * object  its triangles count. From outside, only the side of the normals is to be
  *     seen where neighbouring triangles agree about it, otherwise either side
@@ -2861,8 +2829,8 @@ int v_editor_get_path(const V_EDITOR *editor, V_PATH **path);
  * Replaces the path in a window, in one step that the user can undo, with its space,
  * title, comment and so on, and its object if it has one. Base speeds given when the
  * window was opened are kept. In a scene it replaces the path of the camera shown,
- * which is then edited. The playhead stays at its frame, or goes to the current point
- * if the path has no such frame.
+ * which is then edited. The playhead stays at its frame if the path has it, else goes
+ * to the current point.
  * V_ERR_ARGUMENT (no camera, or it follows no path), V_ERR_MEMORY.
  */
 int v_editor_set_path(V_EDITOR *editor,
@@ -2945,17 +2913,17 @@ int v_editor_save(V_EDITOR *editor, const char *file);
 int v_editor_raise(V_EDITOR *editor);
 
 /**
- * Closes all windows that this thread has open, including those of v_haupt(), for your
+ * Closes all windows that this thread has open, also those of v_haupt(), for your
  * program's Quit. Windows opened meanwhile stay open. You still free the handles with
  * v_editor_close().
  *
- * ask  0: closes without asking; unsaved work is offered at the next start. Otherwise
- *     each window in turn asks about unsaved work and then calls on_close or ende,
- *     until all are closed or one refuses; meanwhile all are served
+ * ask  0: without asking; unsaved work is offered at the next start. Otherwise each
+ *     window in turn asks about unsaved work and then calls on_close or ende, until all
+ *     are closed or one refuses; meanwhile all are served
  *
- * While a window asks, the call also handles the events, timers and inputs of a
- * program with Xt, in the context that this thread ran last; no longjmp() and no
- * exception may leave their callbacks. A second call meanwhile raises that window.
+ * Meanwhile the call handles the events, timers and inputs of a program with Xt, in the
+ * context that this thread ran last; no longjmp() and no exception may leave their
+ * callbacks. A second call raises the window that asks.
  * V_ERR_REFUSED (the windows before that one are closed), V_ERR_BUSY (within a
  * callback, or while an earlier call asks), V_ERR_DISPLAY, V_ERR_LIMIT (no
  * descriptors).
@@ -2972,15 +2940,14 @@ int v_editor_get_scene(const V_EDITOR *editor,
 
 /**
  * Replaces the scene in a window, in one step that the user can undo, even if it is
- * equal to the old one, with its space, title, comment and so on, and its wireframe
- * object if it has one. The space in the options applies only to what the window began
- * with.
+ * equal, with its space, title, comment and so on, and its wireframe object if it has
+ * one. The space in the options applies only to what the window began with.
  *
- * The path that is edited remains so if the new scene has a node of the same name that
- * follows a path. Otherwise that of the camera shown, if it has one, is edited, with
- * the base speeds given when the window was opened. A scene with nothing but one
- * camera on a path is treated as that path. A drag in progress ends where it is. The
- * playhead stays at its frame if the scene has that frame.
+ * If the new scene has a node with the name of the edited one and a path, that path is
+ * edited; otherwise that of the camera shown, if it has one, with the base speeds given
+ * when the window was opened. A scene with nothing but one camera on a path is treated
+ * as that path. A drag in progress ends where it is. The playhead stays at its frame if
+ * the scene has it.
  * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY, V_ERR_LIMIT.
  */
 int v_editor_set_scene(V_EDITOR *editor,
@@ -3104,10 +3071,9 @@ int v_speed_curve(const double speed[10],
 
 /**
  * Gets the matrix from world coordinates to the canonical volume of a view: 16
- * numbers, row by row, for column vectors, m times (x, y, z, 1). In a parallel
- * projection, x and y are then from -1 to 1, z 0 in the front plane and -1 in the back
- * plane; in a perspective projection, |x| and |y| at most z, and z 1 in the back
- * plane.
+ * numbers, row by row, for column vectors. In a parallel projection, x and y are then
+ * from -1 to 1, z 0 in the front plane and -1 in the back plane; in a perspective
+ * projection, |x| and |y| at most z, and z 1 in the back plane.
  * V_ERR_SIZE, V_ERR_ARGUMENT (up parallel to normal), V_ERR_RANGE (prp not in front of
  * the front plane, back plane not behind it, empty window).
  */
@@ -3186,12 +3152,11 @@ int v_pose_from_matrix(const double m[16],
 
 /**
  * Gets the orientation of a camera as three angles. At 0, 0, 0 the camera's axes lie
- * along the world's. The camera is then turned about the fixed axes of the world, in
- * the order of the letters: with V_ORDER_XYZ about x, then y, then z, so that the
- * rotation is Rz Ry Rx for column vectors. (This equals turns about the camera's own
- * axes in the reverse order.) Positive angles are counter-clockwise, seen against the
- * axis. With V_AXES_VIDES and V_ORDER_ZXY they are pitch (positive looks down), yaw
- * and roll in a world with y up.
+ * along the world's. It is turned about the fixed axes of the world in the order of the
+ * letters: V_ORDER_XYZ is Rz Ry Rx for column vectors, or turns about the camera's own
+ * axes in the reverse order. Positive angles are counter-clockwise, seen against the
+ * axis. With V_AXES_VIDES and V_ORDER_ZXY they are pitch (positive looks down), yaw and
+ * roll in a world with y up.
  *
  * convention  V_AXES_...; Blender and glTF use V_AXES_OPENGL
  * order  V_ORDER_...

@@ -211,7 +211,7 @@ def main(vides, folder):
         "avoid track.vid --clearance 120 -o above.vid", "retime above.vid --seconds 30 -o terrain.vid")
     shutil.copyfile(ROOT / "examples/car.vid", at / "scene.vid")
     gallery.flight("car", "A scene", "A car with turning wheels and lamps, an arm, a camera that aims at the car.",
-                   "convert scene.vid car.vid", picture=ROOT / "docs/scene.png")
+                   "convert scene.vid car.vid", picture=ROOT / "docs/reference/scene.png")
     gallery.write()
 
 

@@ -2,7 +2,7 @@
 //! orientations, become every camera pose in between.
 //!
 //! [`path`] is the engine, [`document`] the path being edited and its files, [`math`] the basis of
-//! both. `docs/path.md` has the rules by which a path becomes poses.
+//! both. `docs/theory/path.md` has the rules by which a path becomes poses.
 //!
 //! | feature | brings |
 //! |---|---|

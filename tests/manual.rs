@@ -1,4 +1,4 @@
-//! The table in `docs/anhang_a.md` says which tests show what the thesis's
+//! The table in `docs/project/anhang_a.md` says which tests show what the thesis's
 //! Anhang A promises. Here it is held against the sources: no test that it
 //! names is missing, no section is left out.
 
@@ -77,7 +77,7 @@ fn check(table: &str) -> (Vec<String>, BTreeMap<String, usize>) {
 
 #[test]
 fn every_claim_of_the_manual_names_tests_that_exist() {
-    let (wrong, rows) = check(&read("docs/anhang_a.md").expect("the table"));
+    let (wrong, rows) = check(&read("docs/project/anhang_a.md").expect("the table"));
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
     assert!(rows.values().sum::<usize>() >= 80, "{rows:?}");
 }

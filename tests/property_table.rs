@@ -1,4 +1,4 @@
-//! The tables of keys in `docs/files.md` are what the rows of properties say.
+//! The tables of keys in `docs/reference/files.md` are what the rows of properties say.
 //!
 //! `UPDATE_DOCS=1 cargo test --test property_table` writes them anew.
 
@@ -7,38 +7,42 @@ use std::fmt::Write as _;
 use vides::limits;
 use vides::property::{Listed, Owner};
 
-const FILE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/files.md");
+const FILE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/reference/files.md");
 const END: &str = "<!-- end -->";
+
+/// Kind, unit and range of a value, as "number (mm), 1 to 2000".
+fn value(row: &Listed) -> String {
+    let mut out = row.kind.to_string();
+    if !row.unit.name().is_empty() {
+        write!(out, " ({})", row.unit.name()).unwrap();
+    }
+    let range = row.range.filter(|(low, _)| *low > f64::from(i32::MIN));
+    if let Some((low, high)) = range {
+        write!(out, ", {low} to {high}").unwrap();
+    }
+    out
+}
 
 fn table(rows: &[Listed]) -> String {
     // No node changes a path, and copies of nodes have everything.
     let of_path = rows.iter().all(|row| row.owner != Owner::Node);
-    let (heads, lines) = match of_path {
-        true => ("affects | in copies | ", "---|---|"),
+    let (head, line) = match of_path {
+        true => ("affects | ", "---|"),
         false => ("", ""),
     };
-    let mut out = format!(
-        "| key | kind | unit | range | new | {heads}what it is |\n|---|---|---|---|---|{lines}---|\n"
-    );
+    let mut out = format!("| key | value | new | {head}what it is |\n|---|---|---|{line}---|\n");
     for row in rows {
-        let range = row.range.filter(|(low, _)| *low > f64::from(i32::MIN));
-        let range = range.map_or(String::new(), |(low, high)| format!("{low} to {high}"));
         let new = match row.new.as_str() {
             "" => String::new(),
             new => format!("`{new}`"),
         };
-        let copied = if row.copied { "yes" } else { "" };
-        let affects = match of_path {
-            true => format!("{} | {copied} | ", row.affects.name()),
-            false => String::new(),
+        let affects = match (of_path, row.copied) {
+            (true, true) => format!("{} | ", row.affects.name()),
+            (true, false) => format!("{}, not copied | ", row.affects.name()),
+            (false, _) => String::new(),
         };
-        let (kind, unit) = (row.kind, row.unit.name());
-        let (key, does) = (row.key, row.does.replace('|', "\\|"));
-        writeln!(
-            out,
-            "| `{key}` | {kind} | {unit} | {range} | {new} | {affects}{does} |"
-        )
-        .unwrap();
+        let (key, value, does) = (row.key, value(row), row.does.replace('|', "\\|"));
+        writeln!(out, "| `{key}` | {value} | {new} | {affects}{does} |").unwrap();
     }
     out
 }

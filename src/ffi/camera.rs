@@ -182,12 +182,11 @@ pub unsafe extern "C" fn v_pose_from_matrix(
 }
 
 /// Gets the orientation of a camera as three angles. At 0, 0, 0 the camera's axes lie
-/// along the world's. The camera is then turned about the fixed axes of the world, in
-/// the order of the letters: with V_ORDER_XYZ about x, then y, then z, so that the
-/// rotation is Rz Ry Rx for column vectors. (This equals turns about the camera's own
-/// axes in the reverse order.) Positive angles are counter-clockwise, seen against the
-/// axis. With V_AXES_VIDES and V_ORDER_ZXY they are pitch (positive looks down), yaw
-/// and roll in a world with y up.
+/// along the world's. It is turned about the fixed axes of the world in the order of the
+/// letters: V_ORDER_XYZ is Rz Ry Rx for column vectors, or turns about the camera's own
+/// axes in the reverse order. Positive angles are counter-clockwise, seen against the
+/// axis. With V_AXES_VIDES and V_ORDER_ZXY they are pitch (positive looks down), yaw and
+/// roll in a world with y up.
 ///
 /// convention  V_AXES_...; Blender and glTF use V_AXES_OPENGL
 /// order  V_ORDER_...

@@ -138,10 +138,9 @@ pub unsafe extern "C" fn v_path_fit_poses_in_space(
     })
 }
 
-/// Like v_path_fit_poses_in_space(), but ignores outliers: poses that differ by more
-/// than the tolerance from what their neighbours suggest. *left_out receives their
-/// number, and may be NULL; the last sentence of v_last_warning() names
-/// it and the first one.
+/// Like v_path_fit_poses_in_space(), without outliers: poses farther than the tolerance
+/// from what their neighbours suggest. *left_out receives their number, and may be NULL;
+/// the last sentence of v_last_warning() names it and the first one.
 /// V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_fit_poses_robust(
@@ -224,39 +223,34 @@ unsafe fn fitted(
 }
 
 /// Finds what will look wrong: jerks, flips, collisions. Writes one finding per kind
-/// and run of frames to your array, in their order. Lengths are in units of the space's
-/// half_size. In parentheses: the default limits.
+/// and run of frames to your array, in their order. docs/reference/tools.md describes
+/// the kinds; in parentheses their default limits, lengths in units of half_size.
 ///
-/// "space"         the camera is outside the space by more than the limit (0)
-/// "cusp"          curve or speed nearly stop in a section (0.02 of the mean)
-/// "speed-jump"    at a key, as a fraction of the mean speed (0.5)
+/// "space"         outside the space (0)
+/// "cusp"          curve or speed nearly stop (0.02 of the mean)
+/// "speed-jump"    at a key, of the mean speed (0.5)
 /// "acceleration"  per second squared (10)
 /// "view-jump"     degrees at once (1)
 /// "turning"       degrees per second (60)
 /// "turning-acceleration"  degrees per second squared (300)
-/// "half-turn"     degrees from a half turn, whose direction is ambiguous (0.1)
-/// "pole"          degrees from straight up or down, below the limit (3)
-/// "target"        the target is nearer than the limit (0.05)
-/// "clearance"     the object is nearer than the limit (0.02)
-/// "through"       the camera passes through a triangle of the object
-/// "nothing-to-see"  nothing of the object in the picture, seconds (1)
+/// "half-turn"     degrees from a half turn (0.1)
+/// "pole"          degrees from straight up or down (3)
+/// "target"        distance (0.05)
+/// "clearance"     distance of the object (0.02)
+/// "through"       through a triangle of the object
+/// "nothing-to-see"  seconds without the object in the picture (1)
 /// "zoom"          mm per second (30)
-/// "redundant"     removing a key would change the poses by less than the limit times
-///                 0.001, 0.1 degrees and 0.1 mm (1)
-/// "corner"        degrees by which the path turns at a point (60)
-/// "jerk"          per second cubed, the third difference of the positions at whole
-///                 frames (off)
+/// "redundant"     times 0.001, 0.1 degrees and 0.1 mm that a key changes (1)
+/// "corner"        degrees (60)
+/// "jerk"          per second cubed (off)
 /// "speed"         per second (off)
-/// "crossing"      seconds in which what is in the middle of the picture, at the distance
-///                 of the target (or the middle of the space), would cross it; below the
-///                 limit (off)
-/// "backwards"     the curve runs backwards between points that lead forwards (0.001);
-///                 a "centripetal" curve does not
+/// "crossing"      seconds in which what is seen crosses the picture (off)
+/// "backwards"     distance back between points that lead on (0.001)
 ///
-/// A hold between sections without an ease, and a turn on the spot between such
-/// sections, begin and end abruptly: a "speed-jump", an "acceleration" or a
-/// "turning-acceleration" only if that limit is not the default. The distance to the
-/// object is computed three times per frame, as by v_path_avoid().
+/// A hold, or a turn on the spot, between sections without an ease counts as a
+/// "speed-jump", an "acceleration" or a "turning-acceleration" only if that limit is not
+/// the default. The distance to the object is computed three times per frame, as by
+/// v_path_avoid().
 ///
 /// object  the obstacle, in the coordinates of the path; NULL: the path's own, with its
 ///     faces, if it has one

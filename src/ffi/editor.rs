@@ -424,8 +424,8 @@ pub unsafe extern "C" fn v_editor_get_path(
 /// Replaces the path in a window, in one step that the user can undo, with its space,
 /// title, comment and so on, and its object if it has one. Base speeds given when the
 /// window was opened are kept. In a scene it replaces the path of the camera shown,
-/// which is then edited. The playhead stays at its frame, or goes to the current point
-/// if the path has no such frame.
+/// which is then edited. The playhead stays at its frame if the path has it, else goes
+/// to the current point.
 /// V_ERR_ARGUMENT (no camera, or it follows no path), V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_set_path(editor: *mut V_EDITOR, path: *const V_PATH) -> c_int {

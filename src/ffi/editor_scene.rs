@@ -32,15 +32,14 @@ pub unsafe extern "C" fn v_editor_get_scene(
 }
 
 /// Replaces the scene in a window, in one step that the user can undo, even if it is
-/// equal to the old one, with its space, title, comment and so on, and its wireframe
-/// object if it has one. The space in the options applies only to what the window began
-/// with.
+/// equal, with its space, title, comment and so on, and its wireframe object if it has
+/// one. The space in the options applies only to what the window began with.
 ///
-/// The path that is edited remains so if the new scene has a node of the same name that
-/// follows a path. Otherwise that of the camera shown, if it has one, is edited, with
-/// the base speeds given when the window was opened. A scene with nothing but one
-/// camera on a path is treated as that path. A drag in progress ends where it is. The
-/// playhead stays at its frame if the scene has that frame.
+/// If the new scene has a node with the name of the edited one and a path, that path is
+/// edited; otherwise that of the camera shown, if it has one, with the base speeds given
+/// when the window was opened. A scene with nothing but one camera on a path is treated
+/// as that path. A drag in progress ends where it is. The playhead stays at its frame if
+/// the scene has it.
 /// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_set_scene(editor: *mut V_EDITOR, scene: *const V_SCENE) -> c_int {

@@ -54,9 +54,8 @@ pub unsafe extern "C" fn v_scene_export(
 /// fitted with few points; with "as=keys", or fewer than three poses, a camera with one
 /// key each.
 ///
-/// format  gltf, glb, usda, nerfstudio, transforms, instant-ngp, cameras, supersplat, tum,
-///     euroc, kitti, matrices, open3d, record3d, polycam, colmap, osg, chan, paraview (as
-///     v_scene_export() writes it; no code is run), ascii, csv, json or vid; NULL: by the
+/// format  as for v_scene_export(), without blender, vtk and html, and also record3d and
+///     polycam; paraview as v_scene_export() writes it, no code is run. NULL: by the
 ///     content
 /// options  as for v_scene_export()
 ///

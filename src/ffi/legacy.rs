@@ -23,9 +23,8 @@ type Ende = unsafe extern "C" fn() -> c_int;
 
 /// ==== The interface of 1994 ====
 ///
-/// Opens an editor window for a camera path and returns at once. Each call opens
-/// another, independent window, on the display that the program's Xt opened last;
-/// without Xt, on the environment's DISPLAY. It works in your program's event loop: a
+/// Opens an editor window and returns at once. Each call opens another, independent
+/// window, on the display that the program's Xt opened last; without Xt, on DISPLAY. A
 /// program with an Xt or Motif main loop needs nothing more; others see v_fd() and
 /// v_main_loop(). Work not handed over or saved when the program ends is offered at its
 /// next start; for your own Quit see v_editors_close().
@@ -45,9 +44,8 @@ type Ende = unsafe extern "C" fn() -> c_int;
 ///
 /// Call it from the thread that runs the event loop; rueck and ende run there, by the
 /// rules of v_editor_open(). Wrong arguments, a window that cannot be opened, or one
-/// that closes because its thread ends are reported in one line on standard error that
-/// begins with "vides:"; the first two also by v_last_error(), and in the window if
-/// there is one.
+/// that closes because its thread ends are reported in a line on standard error that
+/// begins with "vides:"; the first two also by v_last_error(), and in the window.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_haupt(
     move_speed: c_float,

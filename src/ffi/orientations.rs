@@ -313,9 +313,8 @@ pub unsafe extern "C" fn v_path_get_ahead(
     })
 }
 
-/// Sets which way is up for an orientation, before its roll, whether it looks at a
-/// target or ahead. Between two orientations with the same view and up, the camera
-/// keeps both throughout.
+/// Sets which way is up for an orientation, before its roll. Between two orientations
+/// with the same view and up, the camera keeps both throughout.
 ///
 /// up  "axis"     the up axis of the space, the default
 ///     "point"    towards up_point

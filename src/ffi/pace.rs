@@ -284,10 +284,8 @@ pub unsafe extern "C" fn v_path_get_frames_locked(
 /// included. 0 and the last point stand for the whole path, if closed with the way back
 /// to the first. On a closed path first_point may be after last_point.
 ///
-/// Sections share the frames in proportion to those they have now (unrounded if they
-/// follow from the length), at least one each, by largest remainder; ties go to the
-/// earlier section. Locked sections keep theirs. If frames is too small, v_last_error()
-/// returns the least.
+/// Sections share the frames in proportion to those they have, at least one each; locked
+/// ones keep theirs. If frames is too small, v_last_error() returns the least.
 /// V_ERR_RANGE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_fit_frames(

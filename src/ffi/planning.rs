@@ -75,8 +75,8 @@ pub unsafe extern "C" fn v_limits_init_sized(limits: *mut V_LIMITS, size: usize)
 /// Recomputes the speed profile between the first orientation of one point and the last
 /// of another, as fast as the limits allow, in at most 40 rounds over the sections.
 /// Curve and views do not change. The camera rests at the ends of an open path, at held
-/// keys, and where curve or view have a kink; v_last_warning() lists these. The
-/// sections get fixed frames, a distance curve and a curve time; others do not change.
+/// keys, and where curve or view have a kink, which v_last_warning() lists. The sections
+/// get fixed frames, a distance curve and a curve time.
 ///
 /// limits  NULL: the path's own, see v_path_set_limit()
 /// first_point, last_point  as for v_path_fit_frames()
@@ -119,11 +119,10 @@ pub unsafe extern "C" fn v_path_retime(
     })
 }
 
-/// Stabilises a recorded flight: positions, views and zoom pass a low-pass filter
-/// without lag, at whole frames; v_path_fit_poses() then makes a path of few points and
-/// as many frames. The first and the last pose do not change. Names, targets and modes
-/// are discarded; a closed path becomes open. v_last_warning() returns how far the path
-/// moved.
+/// Stabilises a recorded flight: a low-pass filter without lag at whole frames, then
+/// v_path_fit_poses() with as many frames. The first and the last pose do not change.
+/// Names, targets and modes are discarded; a closed path becomes open. v_last_warning()
+/// returns how far the path moved.
 ///
 /// seconds  cut-off period: motion of this period is halved, faster motion is removed;
 ///     > 0 and at most 2,000 frames
@@ -151,15 +150,15 @@ pub unsafe extern "C" fn v_path_steady(path: *mut V_PATH, seconds: f64, within: 
     })
 }
 
-/// Moves a path away from an object. Where the camera, or a sphere around it, comes
-/// nearer than the clearance or passes through the object, points move as little as
-/// possible and as few as possible are added. Points that were clear do not move,
-/// except within a closed part of the object between others outside. Frames and targets
-/// do not change. v_last_warning() returns a line for each changed part, or "".
+/// Moves a path away from an object where the camera, or a sphere around it, comes
+/// nearer than the clearance or passes through: points move as little, and as few are
+/// added, as possible. Points that were clear do not move, except within a closed part of
+/// the object between others outside. Frames and targets do not change. v_last_warning()
+/// returns a line for each changed part, or "".
 ///
-/// Each part takes at most a few searches of a grid with 96 cells along its longest
-/// side; a distance query, the logarithm of the number of triangles, up to that number
-/// if they overlap widely.
+/// A part takes at most a few searches of a grid with 96 cells along its longest side;
+/// a distance, the logarithm of the number of triangles, up to that number if they
+/// overlap widely.
 ///
 /// object  in the coordinates of the path; NULL: the path's own
 /// clearance, radius  in the path's units; clearance > 0, radius of the sphere 0 or
@@ -198,11 +197,11 @@ pub const V_PICTURE_ZOOM: c_int = 0;
 pub const V_PICTURE_DISTANCE: c_int = 1;
 pub const V_PICTURE_VIEW: c_int = 2;
 
-/// Keeps an object whole in the picture less margin, at every frame and between. With
-/// zoom or distance it is as large as the margin and the path's limits of zoom, or of
-/// speed and acceleration, allow; with the view the camera turns no more than
-/// necessary. Frames and speed profile do not change; points are added where keys are
-/// not enough. Takes 20 positions per frame, each tried at most 60 times.
+/// Keeps an object whole in the picture less margin, at every frame and between. By zoom
+/// or distance it is as large as the margin and the path's limits of zoom, or of speed
+/// and acceleration, allow; by the view the camera turns no more than necessary. Frames
+/// and speed profile do not change; points are added where keys are not enough. Takes 20
+/// positions per frame, each tried at most 60 times.
 ///
 /// object  in the coordinates of the path; NULL: the path's own, with the objects of
 ///     its scene
@@ -279,8 +278,7 @@ pub unsafe extern "C" fn v_tour_init_sized(tour: *mut V_TOUR, size: usize) {
 /// Plans a flight that shows an object: the fewest positions from which the wanted
 /// fraction of its surface is seen, a short path through them that keeps clear of it,
 /// and a speed profile within the limits of v_path_check(), at 25 frames per second.
-/// Takes the time of about 300 pictures, some seconds for a million triangles, and
-/// about 300 bytes per triangle.
+/// Takes some seconds for a million triangles, and about 300 bytes per triangle.
 ///
 /// object  its triangles count. From outside, only the side of the normals is to be
 ///     seen where neighbouring triangles agree about it, otherwise either side

@@ -199,10 +199,10 @@ pub(super) fn frame_of(given: f64, frames: usize, name: Name) -> Answer<f64> {
         .ok_or(failure)
 }
 
-/// Makes a list of all poses, see V_KAMERAPAR. first is your element; set its number
-/// before, to -1 if there is no data yet. A list that VIDES made there before is freed
-/// when the new one is complete, and unchanged if the call fails; any other is
-/// forgotten but not freed. No other thread may use the list meanwhile.
+/// Makes a list of all poses, see V_KAMERAPAR. Set the number of first before, to -1 if
+/// there is no data yet. A list that VIDES made there before is freed when the new one is
+/// complete, and unchanged if the call fails; any other is forgotten but not freed. No
+/// other thread may use the list meanwhile.
 /// V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_to_list(path: *const V_PATH, first: *mut V_KAMERAPAR) -> c_int {

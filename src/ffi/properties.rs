@@ -12,7 +12,7 @@ use super::types::V_PATH;
 ///
 /// Sets a property of a path by its name, like `vides set`, atomically.
 ///
-/// name  a key of .vid files (docs/files.md), points and orientations counted from 1:
+/// name  a key of .vid files (docs/reference/files.md), points and orientations counted from 1:
 ///     "closed", "point.2.position", "point.2.zoom" (of its first orientation),
 ///     "point.2.view.3.zoom" and so on
 /// value  as in the file: "30" or "[0, 1, 2]". Text needs no quotes; "" restores the

@@ -179,9 +179,9 @@ pub unsafe extern "C" fn v_node_init(node: *mut V_NODE, kind: c_int) {
     });
 }
 
-/// Makes a new scene: one camera, "camera", on the path of v_path_new(), starting at
-/// frame 1. For a space of your world, call v_scene_set_space(), then
-/// v_scene_set_path() for node 0 with a path of v_path_new_in_space().
+/// Makes a new scene: one camera, "camera", on the path of v_path_new(), from frame 1.
+/// For another space, call v_scene_set_space(), then v_scene_set_path() for node 0 with a
+/// path of v_path_new_in_space().
 /// V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_new(scene: *mut *mut V_SCENE) -> c_int {
@@ -195,10 +195,10 @@ pub unsafe extern "C" fn v_scene_new(scene: *mut *mut V_SCENE) -> c_int {
 
 /// Reads a scene from a .vid file; one with only a path gives a camera on it.
 ///
-/// An object is left empty if its mesh is in a separate file that is missing or
-/// malformed, or outside the folder of the .vid file once links are followed
-/// (v_scene_load_geometry() reads it from anywhere); a mesh file that has changed is
-/// read as it is. v_last_warning() reports this, or returns "".
+/// An object is left empty if its mesh file is missing, malformed, or outside the folder
+/// of the .vid file once links are followed (v_scene_load_geometry() reads it from
+/// anywhere); one that has changed is read as it is. v_last_warning() reports this, or
+/// returns "".
 /// V_ERR_IO, V_ERR_FORMAT, V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_load(file: *const c_char, scene: *mut *mut V_SCENE) -> c_int {
@@ -338,7 +338,7 @@ pub(super) fn copied_name(text: &str) -> Answer<String> {
 
 /// Removes a node with all its descendants. The numbers of later nodes decrease; nodes
 /// that aimed at a removed one no longer aim. Removing many in a row costs as much as
-/// one, even if you read nodes, their names and number in between.
+/// one, even if you read nodes in between.
 /// V_ERR_RANGE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_remove_node(scene: *mut V_SCENE, node: c_int) -> c_int {

@@ -511,9 +511,9 @@ pub unsafe extern "C" fn v_scene_remove_deformation(
 }
 
 /// Deforms points in place. u, v, w run from -1 to 1 along the sides of the box (min x
-/// y z, max x y z); along a side of length 0 they are 0 and points do not move. Axes
-/// are 0, 1, 2. Angles are degrees in u, v, w: in a box that is not a cube, rotations
-/// are stretched with it. Tracks can animate the names in parentheses.
+/// y z, max x y z); along a side of length 0 points do not move. Axes are 0, 1, 2.
+/// Angles are degrees in u, v, w, stretched with a box that is not a cube. Tracks can
+/// animate the names in parentheses.
 ///
 /// "taper"      axis a (a): the other two times 1 + (a-1)(1-u^2)
 /// "taper"      axis r0 r1 (r0 r1): from r0 at one end to r1 at the other

@@ -108,11 +108,10 @@ pub unsafe extern "C" fn v_path_get_tangents(
 
 /// Inserts a point on the curve where the camera is at a frame, without changing the
 /// curve, any pose or the number of frames. It gets the nearest whole frame within the
-/// section; a section of one frame becomes two, split where you ask. Neighbouring
-/// points get custom tangents, and orientations a custom angular velocity, custom
-/// slopes of zoom and roll, and a part of the old speed profile. Such tangents are
-/// removed when their point or a neighbour moves alone; v_path_set_tangents() makes
-/// them permanent. *at receives its index; it may be NULL.
+/// section; a section of one frame becomes two, split where you ask. Neighbours get
+/// custom tangents, angular velocities, slopes of zoom and roll, and a part of the old
+/// speed profile. Such tangents are removed when their point or a neighbour moves alone;
+/// v_path_set_tangents() makes them permanent. *at receives the index; it may be NULL.
 ///
 /// frame  not at a key, not in a pan, not with V_ORIENTATION_BARRY_GOLDMAN
 /// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.

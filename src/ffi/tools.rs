@@ -51,37 +51,28 @@ fn range(document: &Document, first: c_int, last: c_int) -> Answer<Vec<usize>> {
 /// ==== Tools ====
 ///
 /// Makes a path by a ready-made move, at 25 frames per second and one speed. parameters
-/// has the numbers in the order below, a position as three; those after count have the
-/// defaults in parentheses. Headings are seen from the target: 0 is towards +z, 90
-/// towards +x.
+/// has the numbers in the order below; those after count have the defaults in
+/// parentheses. around and at are three numbers, from, to, rise and tilt degrees. Headings
+/// are seen from the target: 0 is towards +z, 90 towards +x.
 ///
 /// "orbit"  on a circle round a target
-///     around x y z (0), radius (1), height (0.4), from degrees (0), turns (1),
-///     zoom mm (24), seconds (10)
+///     around (0), radius (1), height (0.4), from (0), turns (1), zoom (24), seconds (10)
 /// "spiral"  round a target with another radius and height at the end
-///     around x y z (0), radius (1), height (0.4), from degrees (0), turns (1),
-///     zoom mm (24), seconds (10), end-radius (0.5), end-height (1)
+///     as "orbit", end-radius (0.5), end-height (1)
 /// "arc"  on a part of a circle, from one heading to another
-///     around x y z (0), radius (1), height (0.4), from degrees (-45),
-///     to degrees (45), zoom mm (24), seconds (10)
+///     around (0), radius (1), height (0.4), from (-45), to (45), zoom (24), seconds (10)
 /// "flyby"  straight past a target that stays in view
-///     around x y z (0), distance (1), height (0.4), from degrees (0),
-///     length (2), zoom mm (24), seconds (10)
+///     around (0), distance (1), height (0.4), from (0), length (2), zoom (24), seconds (10)
 /// "approach"  straight towards a target
-///     around x y z (0), distance (1), end-distance (0.4), from degrees (0),
-///     rise degrees (15), zoom mm (24), seconds (10)
+///     around (0), distance (1), end-distance (0.4), from (0), rise (15), zoom (24), seconds (10)
 /// "dolly-zoom"  towards a target that keeps its size in the picture
-///     around x y z (0), distance (1), end-distance (0.4), from degrees (0),
-///     rise degrees (15), zoom mm (60), seconds (10)
+///     as "approach", zoom (60)
 /// "crane"  straight up or down beside a target that stays in view
-///     around x y z (0), radius (1), height (-0.2), end-height (1),
-///     from degrees (0), zoom mm (24), seconds (10)
+///     around (0), radius (1), height (-0.2), end-height (1), from (0), zoom (24), seconds (10)
 /// "pan"  turns on the spot
-///     at x y z (0), from degrees (-45), to degrees (45), tilt degrees (0),
-///     zoom mm (24), seconds (10)
+///     at (0), from (-45), to (45), tilt (0), zoom (24), seconds (10)
 /// "figure-eight"  on an eight that lies before the target
-///     around x y z (0), radius (0.7), height (0.4), width (1.2),
-///     from degrees (0), zoom mm (24), seconds (10)
+///     around (0), radius (0.7), height (0.4), width (1.2), from (0), zoom (24), seconds (10)
 ///
 /// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
@@ -223,13 +214,11 @@ pub unsafe extern "C" fn v_path_extract(
     })
 }
 
-/// Inserts a copy of another path, block, which may be the same, after point at. The
-/// block keeps its curve and targets, the rest of the path its curve; where they join,
-/// both have the same direction.
-///
-/// Except with V_FIT_NONE, the block's first point is merged with that point, which
-/// keeps its views; with V_FIT_SCALE its last point likewise with the next one. A
-/// closed block ends where it begins. Duplicate names get a number.
+/// Inserts a copy of a path, block, which may be the same, after point at. Both keep
+/// their curves, the block its targets; where they join, they have one direction. Except
+/// with V_FIT_NONE, the block's first point is merged with that point, which keeps its
+/// views; with V_FIT_SCALE its last point likewise with the next one. A closed block ends
+/// where it begins. Duplicate names get a number.
 /// V_ERR_ARGUMENT (no direction, or no length to scale), V_ERR_RANGE, V_ERR_LIMIT,
 /// V_ERR_MEMORY.
 #[unsafe(no_mangle)]
@@ -287,9 +276,8 @@ pub unsafe extern "C" fn v_path_repeat(path: *mut V_PATH, count: c_int) -> c_int
 
 /// Makes the weighted sum of paths, point by point: positions, curve, targets, roll,
 /// zoom and speeds; also fixed frames (rounded), angular velocities and slopes that all
-/// paths have. Paths with fewer points are first resampled by length to the largest
-/// number. Everything else comes from the path with the greatest weight. The count
-/// weights have the sum 1.
+/// have. Paths with fewer points are first resampled by length. Everything else comes
+/// from the path with the greatest weight. The count weights have the sum 1.
 /// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_blend(

@@ -263,7 +263,7 @@ pub struct v_tour {
 pub type V_TOUR = v_tour;
 
 /// Options of an editor window. What they point to, except user, need only remain valid
-/// during v_editor_open().
+/// during v_editor_open(). A callback that is NULL is not called.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct v_editor_options {
@@ -311,9 +311,9 @@ pub struct v_editor_options {
     pub space_half_size: f64,
     pub space_up: c_int,
     /// called with the camera at the playhead whenever it has changed, at most 60 times
-    /// a second, even if the window is covered, iconified or not shown; reason is one
-    /// of V_VIEW_.... The pose is valid until it returns. After a call of more than 30
-    /// ms the next one waits as long; the last pose always arrives. NULL: none
+    /// a second, even if the window is not visible; reason is one of V_VIEW_.... The pose
+    /// is valid until it returns. After a call of more than 30 ms the next one waits as
+    /// long; the last pose always arrives
     pub on_view: Option<
         unsafe extern "C" fn(
             editor: *mut V_EDITOR,
@@ -323,10 +323,9 @@ pub struct v_editor_options {
             user: *mut c_void,
         ),
     >,
-    /// called, like on_view, when the path in the window has changed: after each step,
-    /// undo and redo, not during a drag; steps within a sixtieth of a second are
-    /// combined. A tool's preview before OK is no change, nor for on_view, on_frame and
-    /// on_poses. NULL: none
+    /// called, like on_view, when the path has changed: after each step, undo and redo,
+    /// not during a drag; steps within a sixtieth of a second are combined. A tool's
+    /// preview before OK is no change, nor for on_view, on_frame and on_poses
     pub on_change: Option<unsafe extern "C" fn(editor: *mut V_EDITOR, user: *mut c_void)>,
     /// called when the user adds your program's view to the path (Ctrl-Enter): fill in
     /// your camera and return 1, or return 0 if you have none. vpn and vup have any
@@ -339,10 +338,9 @@ pub struct v_editor_options {
     /// which has the screen's own visual, or in a child window of any visual that you
     /// create there and that is kept at its size. A pane is never destroyed while the
     /// process lives: it is unmapped, a child is moved to the root window and unmapped,
-    /// and then this is called. When the editor closes, also by v_editor_close(), that
-    /// is after its window is gone; its handle may be freed already. Not called when
-    /// the thread ends. Without XFIXES or SHAPE there is no pane. NULL: the editor
-    /// draws the picture itself
+    /// and then this is called; when the editor closes, after its window is gone and
+    /// perhaps its handle freed. Not called when the thread ends. Without XFIXES or SHAPE
+    /// there is no pane. NULL: the editor draws the picture itself
     pub on_pane: Option<
         unsafe extern "C" fn(
             editor: *mut V_EDITOR,
@@ -368,22 +366,20 @@ pub struct v_editor_options {
     /// not 0: after a hand-over nothing is unsaved, as always without a file and in a
     /// window of v_haupt()
     pub hand_over_saves: c_int,
-    /// for programs that draw the scene themselves (v_editor_get_scene(),
-    /// v_scene_evaluate()): called with the scene's frame at the playhead and
-    /// V_VIEW_... when that frame or the scene has changed, as often as on_view. NULL:
-    /// none
+    /// for programs that draw the scene themselves (v_scene_evaluate()): called with the
+    /// scene's frame at the playhead and V_VIEW_... when that frame or the scene has
+    /// changed, as often as on_view
     pub on_frame: Option<
         unsafe extern "C" fn(editor: *mut V_EDITOR, frame: f64, reason: c_int, user: *mut c_void),
     >,
     /// what your program's picture shows when the window opens. A new path begins with
     /// it and leads to the right, around what is in the middle of the picture; on_view
-    /// is called only when the camera has changed: opening the window does not move
-    /// your picture. NULL: a new path looks at the object, and on_view is called at
-    /// once
+    /// is called only when the camera has changed. NULL: a new path looks at the object,
+    /// and on_view is called at once
     pub view: *const V_POSE,
     /// called once, after the window is gone; reason is one of V_GONE_.... You may free
     /// the handle here; any other use of it fails with V_ERR_CLOSED. Not called when
-    /// v_editor_close() closes the window or its thread ends. NULL: none
+    /// v_editor_close() closes the window or its thread ends
     pub on_gone:
         Option<unsafe extern "C" fn(editor: *mut V_EDITOR, reason: c_int, user: *mut c_void)>,
 }

@@ -48,10 +48,9 @@ unsafe impl Growing for V_VIEW {
 /// ==== Toolbox: views ====
 ///
 /// Gets the matrix from world coordinates to the canonical volume of a view: 16
-/// numbers, row by row, for column vectors, m times (x, y, z, 1). In a parallel
-/// projection, x and y are then from -1 to 1, z 0 in the front plane and -1 in the back
-/// plane; in a perspective projection, |x| and |y| at most z, and z 1 in the back
-/// plane.
+/// numbers, row by row, for column vectors. In a parallel projection, x and y are then
+/// from -1 to 1, z 0 in the front plane and -1 in the back plane; in a perspective
+/// projection, |x| and |y| at most z, and z 1 in the back plane.
 /// V_ERR_SIZE, V_ERR_ARGUMENT (up parallel to normal), V_ERR_RANGE (prp not in front of
 /// the front plane, back plane not behind it, empty window).
 /// cbindgen:ptrs-as-arrays=[[m; 16]]

@@ -1,4 +1,4 @@
-"""Poses in other formats, as docs/formats.md tells: what the checkers themselves are tried with.
+"""Poses in other formats, as docs/reference/formats.md tells: what the checkers themselves are tried with.
 
 Nothing here is VIDES; `check.py --self` writes with it, so that a checker that is wrong, or an
 importer that does otherwise than was thought, is seen before any exporter is.

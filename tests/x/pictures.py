@@ -1,7 +1,7 @@
 """Makes pictures of the window: pictures.py HOSTS_FOLDER DOCS_FOLDER VIDES
 
 For the README, dark and light, at one and at two pixels a point: the flight around the
-pyramid, seen in the middle of it. For docs/scene.md: the car of examples/car.vid, and
+pyramid, seen in the middle of it. For docs/reference/scene.md: the car of examples/car.vid, and
 the keys of its way.
 """
 
@@ -70,12 +70,12 @@ def scene(vides, path):
 def main():
     """See the top."""
     hosts, docs, vides = map(os.path.abspath, sys.argv[1:4])
-    scene(vides, os.path.join(docs, "scene.png"))
+    scene(vides, os.path.join(docs, "reference/scene.png"))
     print("scene.png")
     for theme in ("dark", "light"):
         for scale in (1, 2):
             name = f"window-{theme}{'-2x' if scale == 2 else ''}.png"
-            take(hosts, theme, scale, os.path.join(docs, name))
+            take(hosts, theme, scale, os.path.join(docs, "start", name))
             print(name)
 
 

@@ -201,7 +201,6 @@ TASKS = ((points, 12, 11), (look, 4, 3), (slow_start, 3, 2), (zoom, 2, 2), (play
          (copy, 3, 3), (seconds, 2, 2), (ahead, 1, 1), (move, 2, 2))
 """With the actions in the window before the desk, by its shortest way, and in this one."""
 
-DESK = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../docs/desk.md")
 OTHERS = ((tasks_time.slow, 4, 2), (tasks_time.key, 1, 1), (tasks_time.lock, 3, 3),
           (tasks_time.copy, 4, 4), (tasks_time.cure, 3, 2), (tasks_time.orbit, 6, 4))
 
@@ -317,14 +316,10 @@ def beside(hand):
 
 
 def table():
-    """The actions of each task, as the desk's page has them, and how many take fewer."""
-    with open(DESK, encoding="utf-8") as page:
-        lines = page.read().splitlines()
+    """The actions of each task, and how many take fewer."""
     rows = TASKS + OTHERS
     for task, before, after in rows:
-        row = f"| {task.__doc__[:-1]} | {before} | {after} |"
-        print(f"  {row}")
-        check(row in lines, f"{DESK} lacks: {row}")
+        print(f"  {task.__doc__} {before}, now {after}")
         check(after <= before, f"{task.__name__} takes more actions than before")
     fewer = sum(after < before for _, before, after in rows)
     print(f"  {fewer} of {len(rows)} tasks take fewer actions than before.")

@@ -1,4 +1,4 @@
-"""A picture of every tool for docs/tools.md: tool_pictures.py VIDES OUT.svg
+"""A picture of every tool for docs/reference/tools.md: tool_pictures.py VIDES OUT.svg
 
 Each cell shows the path before in grey and what the tool makes of it in colour, with
 some of the views, seen from one corner of the space.

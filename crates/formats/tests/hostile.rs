@@ -46,7 +46,10 @@ fn every_reader_has_files_of_its_own() {
 #[test]
 fn every_format_is_told_of() {
     for (place, text) in [
-        ("docs/formats.md", include_str!("../../../docs/formats.md")),
+        (
+            "docs/reference/formats.md",
+            include_str!("../../../docs/reference/formats.md"),
+        ),
         ("man/vides.1", include_str!("../../../man/vides.1")),
         (
             "src/ffi/exchange.rs",

@@ -169,7 +169,7 @@ fn the_car_is_made_by_hand() {
     hands.track(&Channel::Position, &[time.cubic]);
     hands.track(&Channel::Zoom, &[time.ramp]);
     hands.track(&Channel::Roll, &[time.sine]);
-    // As docs/scene.md tells it.
+    // As docs/reference/scene.md tells it.
     assert_eq!(hands.actions, 226);
 
     let scene = hands.scene();

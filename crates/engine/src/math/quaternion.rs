@@ -85,7 +85,7 @@ pub fn log(q: DQuat) -> DVec3 {
 
 /// `q` or −`q`, whichever continues from `before` by the shorter way. Half a turn apart, which the
 /// flag tells, the one whose rotation vector in the camera's own frame has a positive first
-/// non-zero component, in the order y, x, z (`docs/path.md`, orientation curve).
+/// non-zero component, in the order y, x, z (`docs/theory/path.md`, orientation curve).
 #[must_use]
 pub fn continue_sign(before: DQuat, q: DQuat) -> (DQuat, bool) {
     let dot = before.dot(q);

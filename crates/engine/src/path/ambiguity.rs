@@ -1,4 +1,4 @@
-//! Warnings about a section whose result is a choice that the path leaves open (`docs/path.md`):
+//! Warnings about a section whose result is a choice that the path leaves open (`docs/theory/path.md`):
 //! half a turn goes either way, and a camera that passes through its target has no direction there.
 
 use glam::{DQuat, DVec3};

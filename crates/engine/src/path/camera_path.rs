@@ -1,4 +1,4 @@
-//! The data of a camera path: what a person plans and a file keeps, in the terms of `docs/path.md`.
+//! The data of a camera path: what a person plans and a file keeps, in the terms of `docs/theory/path.md`.
 //! [`super::timeline`] and [`super::sampling`] compute with it.
 
 use glam::DVec3;

@@ -1,4 +1,4 @@
-//! Another up axis, without turning what the camera sees (`docs/path.md`, another up axis).
+//! Another up axis, without turning what the camera sees (`docs/theory/path.md`, another up axis).
 //!
 //! Free turnings do not depend on the up axis: their keys get the roll that they have against the
 //! new axis. Sections that track a target or look along the way do, so their keys keep the

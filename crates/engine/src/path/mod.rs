@@ -1,4 +1,4 @@
-//! The engine: from the data of a path to every pose on it, by the rules of `docs/path.md`.
+//! The engine: from the data of a path to every pose on it, by the rules of `docs/theory/path.md`.
 //!
 //! [`camera_path`] is the data, [`space`] where it lies. [`curve`] makes cubics of it,
 //! [`arc_length`] and [`speed_curve`] give their length and pace, [`timeline`] the sections with

@@ -3,7 +3,7 @@
 use crate::property::choices;
 
 choices! {
-    /// How the camera turns between its orientations (`docs/path.md`, orientation curve).
+    /// How the camera turns between its orientations (`docs/theory/path.md`, orientation curve).
     pub enum OrientationMode {
         /// Cubic spherical Bézier curve with limited angular velocities.
         #[default]
@@ -16,7 +16,7 @@ choices! {
 }
 
 choices! {
-    /// How the curve leads through its points (`docs/path.md`, position curve).
+    /// How the curve leads through its points (`docs/theory/path.md`, position curve).
     pub enum CurveKind {
         /// Kochanek and Bartels, by tension, continuity and bias.
         #[default]
@@ -63,7 +63,7 @@ impl CurveKind {
 }
 
 choices! {
-    /// How the zoom runs between its keys (`docs/path.md`, zoom).
+    /// How the zoom runs between its keys (`docs/theory/path.md`, zoom).
     pub enum ZoomMode {
         /// Monotone cubic (Fritsch and Carlson 1980).
         #[default]

@@ -1,4 +1,4 @@
-//! How the camera turns in each section (thesis ch. 4; `docs/path.md`, orientation curve): freely
+//! How the camera turns in each section (thesis ch. 4; `docs/theory/path.md`, orientation curve): freely
 //! through quaternions, tracking a target, looking along the way or keeping a direction.
 //!
 //! Positions, targets and ways are the world's; directions, quaternions and velocities are in y-up

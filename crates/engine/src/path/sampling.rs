@@ -1,4 +1,4 @@
-//! From a whole path to poses (thesis 5.2, 5.3, A.6.2; `docs/path.md`, speed and frames).
+//! From a whole path to poses (thesis 5.2, 5.3, A.6.2; `docs/theory/path.md`, speed and frames).
 
 use std::sync::OnceLock;
 use std::sync::atomic::AtomicBool;

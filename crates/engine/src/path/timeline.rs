@@ -1,4 +1,4 @@
-//! Sections and their frames (thesis 5.2, 5.3, B.2.2; `docs/path.md`, sections). When the values at
+//! Sections and their frames (thesis 5.2, 5.3, B.2.2; `docs/theory/path.md`, sections). When the values at
 //! one point change, only what lies around it is computed again.
 
 use std::sync::Arc;

@@ -1,4 +1,4 @@
-//! Which way is up at the orientations of a path and along its sections (`docs/path.md`, which way
+//! Which way is up at the orientations of a path and along its sections (`docs/theory/path.md`, which way
 //! is up), where it is not the up axis. A minimal up depends on the way to it, so all are
 //! computed at once, from the curve and the views alone, before there are frames.
 

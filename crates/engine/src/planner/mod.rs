@@ -1,4 +1,4 @@
-//! How a path is flown, planned instead of given (`docs/planning.md`).
+//! How a path is flown, planned instead of given (`docs/reference/planning.md`).
 //!
 //! [`retime()`] recomputes the pace within limits. `course` measures what the curve and the views
 //! ask of the pace, `reach` finds how fast it may be anywhere, `frames` gives each section a whole

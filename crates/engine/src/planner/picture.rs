@@ -1,5 +1,5 @@
 //! An object kept whole in the picture all along a path: by the zoom, by the distance, or by turning
-//! the view (`docs/planning.md`, picture).
+//! the view (`docs/reference/planning.md`, picture).
 
 mod below;
 mod film;

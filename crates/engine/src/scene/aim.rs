@@ -8,7 +8,7 @@ use crate::math::orientation::{
 use crate::math::quaternion::slerp_shortest;
 use crate::path::{Space, Up};
 
-/// Within this distance, in units of `half_size`, there is no direction (`docs/path.md`, tracked
+/// Within this distance, in units of `half_size`, there is no direction (`docs/theory/path.md`, tracked
 /// sections).
 const NEAR: f64 = 1e-9;
 

@@ -1,4 +1,4 @@
-//! The scene: everything that moves, on one timeline in frames (`docs/scene.md`).
+//! The scene: everything that moves, on one timeline in frames (`docs/reference/scene.md`).
 //!
 //! [`Scene`] is the tree of [`Node`]s with markers and pins. What changes a node's [`Values`] is a
 //! [`Motion`]: [`FollowPath`] or [`Keys`], a [`Track`] for each [`Channel`] that changes.

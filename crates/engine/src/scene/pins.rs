@@ -1,4 +1,4 @@
-//! Points of paths that are reached at markers, so that flights meet (`docs/scene.md`, markers).
+//! Points of paths that are reached at markers, so that flights meet (`docs/reference/scene.md`, markers).
 
 use super::motion::{FollowPath, check_frame};
 use super::scene::Scene;

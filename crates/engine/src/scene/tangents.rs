@@ -30,7 +30,7 @@ impl NumberKeys<'_> {
 }
 
 /// Velocities of Kochanek and Bartels, weighted for unequal times, with quadratic ends
-/// (`docs/path.md`, orientation curve; the same for numbers); with zeros those of Catmull and Rom.
+/// (`docs/theory/path.md`, orientation curve; the same for numbers); with zeros those of Catmull and Rom.
 pub(super) fn tcb(keys: NumberKeys<'_>, tcb: impl Fn(usize) -> Tcb) -> Result<Vec<f64>> {
     let (count, width) = (keys.count(), keys.width);
     let mut slopes = zeros(2 * width * count)?;

@@ -1,4 +1,4 @@
-//! Tracks: the keys of one channel, and the ways between them (`docs/scene.md`, tracks).
+//! Tracks: the keys of one channel, and the ways between them (`docs/reference/scene.md`, tracks).
 
 use glam::DQuat;
 
@@ -237,7 +237,7 @@ impl Track {
         (self.interpolation, self.before, self.after) = (interpolation, before, after);
     }
 
-    /// Refuses the combinations that the table of `docs/scene.md` does not have.
+    /// Refuses the combinations that the table of `docs/reference/scene.md` does not have.
     fn check_combination(&self) -> Result<()> {
         if !self.interpolation.fits(&self.channel) {
             return Err(Invalid::NotInterpolated {

@@ -14,7 +14,7 @@ use crate::path::{
 /// How far from 1 the weights' sum may be.
 const SUM: f64 = 1e-9;
 
-/// The weighted sum of some paths (`docs/tools.md`, blend), resampled first where their numbers of
+/// The weighted sum of some paths (`docs/reference/tools.md`, blend), resampled first where their numbers of
 /// points differ. All that is not summed is that of the path with the greatest weight.
 ///
 /// # Errors

@@ -188,7 +188,7 @@ fn placing(path: &CameraPath, at: usize, block: &CameraPath, fit: Fit) -> Result
     })
 }
 
-/// A block put in behind a point (`docs/tools.md`, blocks); `with_targets` moves its targets, too.
+/// A block put in behind a point (`docs/reference/tools.md`, blocks); `with_targets` moves its targets, too.
 ///
 /// # Errors
 /// [`Error::Range`], [`Error::Argument`], [`Error::Limit`] or [`Error::Memory`].

@@ -1,4 +1,4 @@
-//! Tools: what makes a path, or another path of one, in one step (`docs/tools.md`).
+//! Tools: what makes a path, or another path of one, in one step (`docs/reference/tools.md`).
 //!
 //! Each is a function of plain data, so that the document's edits, the C interface, the command and
 //! the window are thin callers. What a tool asks for stands in one table of [`Parameter`]s, from

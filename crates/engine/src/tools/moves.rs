@@ -3,7 +3,7 @@
 //! Circles are cubics of at most 30° with tangents 4·tan(θ/4)·r (Goldapp 1991): their radius errs
 //! by 3.7e-7 of itself. Points are placed where whole frames of an even pace fall, so that all
 //! sections have one speed; their angles differ by what a frame makes. A dolly zoom keeps zoom/distance exactly: both are linear in the share of
-//! the way. Headings are as in `docs/tools.md`.
+//! the way. Headings are as in `docs/reference/tools.md`.
 
 mod parameters;
 
@@ -27,7 +27,7 @@ use crate::path::{
 /// The largest angle of one circular segment.
 const ARC: f64 = TAU / 12.0;
 
-/// A shorter way, in units of `half_size`, counts as none (docs/path.md, sections).
+/// A shorter way, in units of `half_size`, counts as none (docs/theory/path.md, sections).
 const NO_WAY: f64 = 1e-9;
 
 /// The largest angle between two views of a tilted pan, which would cut its way short.

@@ -1,4 +1,4 @@
-//! What changes over the frames of a film, as it is plotted (`docs/tools.md`, plot).
+//! What changes over the frames of a film, as it is plotted (`docs/reference/tools.md`, plot).
 
 use glam::{DMat3, DQuat, DVec3};
 
