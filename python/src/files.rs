@@ -123,15 +123,7 @@ pub(crate) fn recording<'py>(
     let (recording, report) = py.detach(|| {
         let mut report = Report::default();
         let source = Source::open(&file)?;
-        let recording = match from {
-            None => formats::recording(&source, &options, &mut report)?,
-            some => match formats::read(&source, some, &options, &mut report)?.1 {
-                formats::Content::Poses(recording) => recording,
-                formats::Content::Scene(_) => {
-                    return Err(formats::Error::NotPoses.at(&source.name).into());
-                }
-            },
-        };
+        let recording = formats::recording(&source, from, &options, &mut report)?;
         Ok::<_, Failure>((recording, report))
     })?;
     let fps = options.fps.or(recording.rate());

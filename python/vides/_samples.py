@@ -105,7 +105,8 @@ class Samples:
         those of :func:`convert`. If the file has seconds but no frame numbers, :attr:`frames` are
         computed from them, starting at 1; :attr:`fps` is the file's, or follows from its seconds.
         The world's axes are those of the file, and :attr:`world_up` is its up axis:
-        ``transforms.json`` always has z up.
+        ``transforms.json`` always has z up. Keyframes of nerfstudio are ignored; :meth:`Path.load` makes
+        points of them.
         """
         array, frames, seconds, fps, up, _ = _vides.recording(path_of(file), str_or_none(format, "format"), choices(options))
         rate = 25.0 if fps is None else fps

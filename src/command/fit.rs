@@ -115,7 +115,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let object = arguments.object.as_deref().map(input::object).transpose()?;
     let mut report = Report::default();
     let source = input::source(&arguments.file)?;
-    let recording = formats::recording(&source, &formats::Options::default(), &mut report)?;
+    let recording = formats::recording(&source, None, &formats::Options::default(), &mut report)?;
     for loss in report.losses() {
         complain(&one_line(&format!("{name}: {loss}")));
     }

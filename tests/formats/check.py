@@ -124,6 +124,7 @@ def formats():
         Format("instant-ngp", "base_cam.json", "z", rate=False, importers=[plain]),
         Format("cameras", "cameras.json", rate=False, importers=[plain]),
         Format("tum", "flight.tum", fov=False, rate=False, importers=[evo], options=("--to", "tum")),
+        Format("euroc", "flight.csv", fov=False, rate=False, importers=[evo], options=("--to", "euroc")),
         Format("kitti", "flight.kitti", fov=False, rate=False, importers=[evo], options=("--to", "kitti")),
         Format("matrices", "flight.npy", fov=False, rate=False, importers=[plain]),
         Format("open3d", "camera_trajectory.json", rate=False, importers=[plain]),

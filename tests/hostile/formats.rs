@@ -67,11 +67,15 @@ fn check_sentence(sentence: &str) {
 }
 
 fn source(format: &Format, bytes: &[u8], folder: &Path) -> Source {
-    if !format.is_folder() {
+    if !(format.is_folder() || format.reads_folder && bytes.starts_with(FILE)) {
         return Source::of_bytes("a file", bytes.to_vec());
     }
     for entry in std::fs::read_dir(folder).expect("a folder") {
-        std::fs::remove_file(entry.expect("an entry").path()).expect("a file less");
+        let place = entry.expect("an entry").path();
+        match place.is_dir() {
+            true => std::fs::remove_dir_all(place).expect("a folder less"),
+            false => std::fs::remove_file(place).expect("a file less"),
+        }
     }
     let starts = (0..bytes.len())
         .filter(|&at| bytes[at..].starts_with(FILE) && (at == 0 || bytes[at - 1] == b'\n'));
@@ -81,13 +85,18 @@ fn source(format: &Format, bytes: &[u8], folder: &Path) -> Source {
         let piece = &bytes[start + FILE.len()..end.max(start + FILE.len())];
         let line = piece.iter().position(|&byte| byte == b'\n');
         let (name, content) = piece.split_at(line.unwrap_or(piece.len()));
-        let plain = |byte: &u8| byte.is_ascii_alphanumeric() || *byte == b'.';
         let name = String::from_utf8_lossy(name);
-        if name.len() < 32
-            && name.starts_with(|c: char| c.is_ascii_alphabetic())
-            && name.bytes().all(|byte| plain(&byte))
-        {
-            std::fs::write(folder.join(&*name), content.get(1..).unwrap_or(b"")).expect("a file");
+        let plain = |byte: u8| byte.is_ascii_alphanumeric() || b".-".contains(&byte);
+        let mut parts = name.split('/');
+        let inside = |part: &str| {
+            part.starts_with(|c: char| c.is_ascii_alphanumeric()) && part.bytes().all(plain)
+        };
+        if name.len() < 48 && parts.all(inside) {
+            let place = folder.join(&*name);
+            // A file may have the name of a folder.
+            if std::fs::create_dir_all(place.parent().unwrap_or(folder)).is_ok() {
+                let _ = std::fs::write(place, content.get(1..).unwrap_or(b""));
+            }
         }
     }
     Source {

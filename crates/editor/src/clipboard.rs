@@ -6,11 +6,11 @@
 use std::path::PathBuf;
 
 use egui::{Context, ViewportCommand};
-use vides_document::{Document, mesh};
+use vides_document::Document;
 use vides_engine::limits::MIN_POINTS;
 
 use crate::action::{Action, FileAction};
-use crate::files::{readable, short};
+use crate::files::{is_object, readable};
 use crate::state::files::{AfterSave, Purpose};
 use crate::state::scene_view::NodeCommand;
 use crate::state::selected::SelectionChange;
@@ -140,7 +140,8 @@ impl Editor {
         }
     }
 
-    /// Opens a file that was dropped: a path after a question, a mesh as the object.
+    /// Opens a file that was dropped: a path after a question, a mesh as the object; all else is
+    /// imported.
     pub(crate) fn dropped(&mut self, files: &[PathBuf], context: &Context) {
         let texts = &self.texts().files;
         let [file] = files else {
@@ -154,14 +155,13 @@ impl Editor {
         if ending == "vid" {
             self.windows.dropped = Some(file.clone());
             self.ask_before(AfterSave::Dropped);
-        } else if mesh::Format::of(file).is_some() {
-            let chosen = Action::File(FileAction::FileChosen(
-                Purpose::LoadObject(None),
-                file.clone(),
-            ));
-            self.act(chosen, context);
         } else {
-            self.complain(fill(texts.unknown_file, &[&short(file)]));
+            let purpose = match is_object(file) {
+                true => Purpose::LoadObject(None),
+                false => Purpose::Import,
+            };
+            let chosen = FileAction::FileChosen(purpose, file.clone());
+            self.act(Action::File(chosen), context);
         }
     }
 

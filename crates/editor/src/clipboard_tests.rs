@@ -238,8 +238,8 @@ fn files_that_are_dropped_are_opened() {
 
     let state = window.state().document.state_number();
     drop_on(&mut window, std::slice::from_ref(&other));
-    let unknown = fill(texts.files.unknown_file, &[&"notes.txt"]);
-    assert_eq!(said(&window), Some(unknown));
+    let refused = said(&window).unwrap_or_default();
+    assert!(refused.contains("notes.txt"), "{refused}");
     drop_on(&mut window, &[path, mesh.clone()]);
     assert_eq!(said(&window).as_deref(), Some(texts.files.one_file));
     drop_on(&mut window, &[folder.path().join("gone.vid")]);
@@ -247,6 +247,69 @@ fn files_that_are_dropped_are_opened() {
     drop_on(&mut window, &["http://example.org/a.vid".into()]);
     assert!(said(&window).is_some_and(|said| said.contains("example.org")));
     assert_eq!(window.state().document.state_number(), state);
+}
+
+/// Whatever is imported may be dropped: a scene, a list of poses, the folder of a project; a glTF
+/// file without a camera is the object.
+#[test]
+fn what_is_imported_may_be_dropped() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let scene = fresh().state().document.scene_document().unwrap();
+    let write = |name: &str, format: &str| {
+        let file = folder.join(name);
+        let by = vides_formats::by_name(format).unwrap();
+        let options = vides_formats::Options::default();
+        std::fs::create_dir_all(file.parent().unwrap()).unwrap();
+        vides_formats::export(&scene, &file, by, &options, &mut |_, _| {}).unwrap();
+        file
+    };
+    let project = write("project/sparse/0", "colmap");
+    let project = project.ancestors().nth(2).unwrap().to_owned();
+    for file in [
+        write("camera.glb", "glb"),
+        write("poses.euroc.csv", "euroc"),
+        write("poses.npy", "matrices"),
+        write("camera_path.json", "nerfstudio"),
+        project,
+    ] {
+        let mut window = fresh();
+        let before = window.state().document.state_number();
+        drop_on(&mut window, std::slice::from_ref(&file));
+        let texts = window.state().texts();
+        if window.query_by_label(texts.questions.y_up).is_some() {
+            click(&mut window, texts.questions.y_up);
+        }
+        if window.state().windows.tool.is_some() {
+            click(&mut window, "OK");
+        }
+        let after = window.state().document.state_number();
+        assert_ne!(after, before, "{}: {:?}", file.display(), said(&window));
+        assert!(window.state().document.info().object.is_empty());
+        assert!(window.state().document.frame_range().unwrap().1 > 10.0);
+    }
+    let mesh = folder.join("mesh.gltf");
+    let buffer = "data:application/octet-stream;base64,\
+                  AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA";
+    let text = format!(
+        r#"{{"asset": {{"version": "2.0"}}, "nodes": [{{"mesh": 0}}], "scenes": [{{"nodes": [0]}}],
+        "meshes": [{{"primitives": [{{"attributes": {{"POSITION": 0}}}}]}}],
+        "accessors": [{{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+            "min": [0, 0, 0], "max": [1, 1, 0]}}],
+        "bufferViews": [{{"buffer": 0, "byteLength": 36}}],
+        "buffers": [{{"byteLength": 36, "uri": "{buffer}"}}]}}"#
+    );
+    std::fs::write(&mesh, text).unwrap();
+    let mut window = fresh();
+    let path = window.state().document.path().clone();
+    drop_on(&mut window, &[mesh]);
+    let state = window.state();
+    assert!(
+        !state.document.info().object.is_empty(),
+        "{:?}",
+        said(&window)
+    );
+    assert_eq!(state.document.path(), &path);
 }
 
 fn frames(document: &Document, from: usize, to: usize) -> usize {

@@ -141,18 +141,22 @@ impl Recording {
     /// A scene of one camera, on a path or by keys, as the options say.
     ///
     /// # Errors
-    /// [`Cause::Empty`], [`Cause::Order`]; those of the fit and of scenes.
+    /// [`Cause::Order`]; those of the fit and of scenes.
     pub(super) fn into_scene(
         mut self,
         options: &Options,
         report: &mut Report,
     ) -> Result<SceneDocument> {
-        if self.poses.is_empty() {
-            return Err(Place::Whole.wrong(Cause::Empty));
-        }
         let otherwise = self.rate().unwrap_or(DEFAULT_FPS);
         let fps = rate(&[self.fps], options, otherwise, report);
-        if let Some(keyframes) = self.keyframes.take() {
+        let up = options.up.or(self.up).unwrap_or_default();
+        if options.as_ != Some(As::Keys)
+            && let Some(path) = self.path(None, up, fps)?
+        {
+            return self.document(Scene::of_path(path)?, fps);
+        }
+        let as_keys = options.as_ != Some(As::Path);
+        if let Some(keyframes) = self.keyframes.take().filter(|_| as_keys) {
             return self.of_keyframes(&keyframes, fps, options);
         }
         let times = self.times(fps);
@@ -162,7 +166,6 @@ impl Recording {
             return Err(Place::Whole.wrong(Cause::Order));
         }
         self.compare(fps, report);
-        let up = options.up.or(self.up).unwrap_or_default();
         // Fewer than three are no path.
         let usual = if self.poses.len() < 3 {
             As::Keys
@@ -176,6 +179,33 @@ impl Recording {
         self.document(scene, fps)
     }
 
+    /// The path through the keyframes of the file, in the space `within` if that holds it; none
+    /// without keyframes, or if they all are the same. A document takes it in place of a fit.
+    ///
+    /// # Errors
+    /// Those of [`CameraPath::check`].
+    pub fn path(&self, within: Option<Space>, up: Up, fps: f64) -> Result<Option<CameraPath>> {
+        let Some(keyframes) = self.keyframes.as_ref().filter(|keys| keys.moves()) else {
+            return Ok(None);
+        };
+        let far = |pose: &Pose, from: DVec3| (pose.position() - from).abs().max_element();
+        let holds = |space: &Space| {
+            let mut poses = keyframes.poses.iter();
+            space.up == up && poses.all(|pose| far(pose, space.centre) <= space.half_size)
+        };
+        let space = match within.filter(holds) {
+            Some(space) => space,
+            None => space_around(&keyframes.poses, &self.points, up)?,
+        };
+        keyframes.path(space, fps).map(Some)
+    }
+
+    /// Reports the keyframes if the poses are read in their place.
+    pub fn tell_keyframes(&self, report: &mut Report) {
+        let count = self.keyframes.as_ref().map_or(0, |keys| keys.poses.len());
+        report.count(count, Loss::Keyframes);
+    }
+
     /// A scene of keys that a spline joins: the points of a path, or keys.
     fn of_keyframes(
         mut self,
@@ -183,20 +213,12 @@ impl Recording {
         fps: f64,
         options: &Options,
     ) -> Result<SceneDocument> {
+        (self.poses, self.seconds) = {
+            let (poses, seconds) = keyframes.as_list()?;
+            (poses, Some(seconds))
+        };
         let up = options.up.or(self.up).unwrap_or_default();
-        let (poses, seconds) = keyframes.as_list()?;
-        self.poses = poses;
-        self.seconds = Some(seconds);
-        // What stands still is no path.
-        let usual = if keyframes.moves() {
-            As::Path
-        } else {
-            As::Keys
-        };
-        let scene = match options.as_.unwrap_or(usual) {
-            As::Keys => self.keyed(self.times(fps), up, &Interpolation::CatmullRom)?,
-            As::Path => Scene::of_path(keyframes.path(self.space(up)?, fps)?)?,
-        };
+        let scene = self.keyed(self.times(fps), up, &Interpolation::CatmullRom)?;
         self.document(scene, fps)
     }
 
@@ -253,26 +275,6 @@ impl Recording {
         }
     }
 
-    /// The smallest space round positions and points.
-    pub(super) fn space(&self, up: Up) -> Result<Space> {
-        let places = || {
-            let positions = self.poses.iter().map(Pose::position);
-            positions.chain(self.points.iter().copied())
-        };
-        let first = places().next().unwrap_or_default();
-        if places().all(|place| place == first) {
-            // A camera on one spot: a space about it of the size of its distance, else 1.
-            let half_size = first.abs().max_element();
-            let half_size = if half_size > 0.0 { half_size } else { 1.0 };
-            return Ok(Space {
-                centre: first,
-                half_size,
-                up,
-            });
-        }
-        Ok(Space::around(places(), up)?)
-    }
-
     fn keyed(&self, times: Option<Vec<f64>>, up: Up, by: &Interpolation) -> Result<Scene> {
         let count = self.poses.len();
         let numbers = |width: usize| vec_with_room::<f64>(width * count);
@@ -299,7 +301,7 @@ impl Recording {
             camera.set_track(track?)?;
         }
         let mut scene = Scene::new();
-        scene.set_space(self.space(up)?)?;
+        scene.set_space(space_around(&self.poses, &self.points, up)?)?;
         scene.add(camera)?;
         Ok(scene)
     }
@@ -312,7 +314,7 @@ impl Recording {
         options: &Options,
         report: &mut Report,
     ) -> Result<Scene> {
-        let space = self.space(up)?;
+        let space = space_around(&self.poses, &self.points, up)?;
         let usual = Tolerance::usual(&self.poses);
         let tolerance = Tolerance {
             position: options.tolerance.unwrap_or(usual.position),
@@ -340,6 +342,26 @@ impl Recording {
         });
         Ok(Scene::of_path(made.path)?)
     }
+}
+
+/// The smallest space around poses and points.
+pub(super) fn space_around(poses: &[Pose], points: &[DVec3], up: Up) -> Result<Space> {
+    let places = || {
+        let positions = poses.iter().map(Pose::position);
+        positions.chain(points.iter().copied())
+    };
+    let first = places().next().unwrap_or_default();
+    if places().all(|place| place == first) {
+        // A camera on one spot: a space about it of the size of its distance, else 1.
+        let half_size = first.abs().max_element();
+        let half_size = if half_size > 0.0 { half_size } else { 1.0 };
+        return Ok(Space {
+            centre: first,
+            half_size,
+            up,
+        });
+    }
+    Ok(Space::around(places(), up)?)
 }
 
 pub(super) fn check(pose: &Pose) -> Result<(), vides_engine::Error> {

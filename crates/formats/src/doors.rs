@@ -144,8 +144,8 @@ pub fn losses(document: &SceneDocument, format: &Format, options: &Options) -> R
 /// What a file holds, in its format or the one that its content shows.
 ///
 /// # Errors
-/// [`Error::NotRecognised`], [`Error::Foreign`], [`Error::Ambiguous`], [`Error::NotRead`]; those of
-/// the format; each with the file's name.
+/// [`Error::NotRecognised`], [`Error::Foreign`], [`Error::Ambiguous`], [`Error::NotRead`],
+/// [`Cause::Empty`]; those of the format; each with the file's name.
 pub fn read(
     source: &Source,
     format: Option<&Format>,
@@ -166,6 +166,9 @@ pub fn read(
         }
         let content = format.read(source, options, report)?;
         if let Content::Poses(recording) = &content {
+            if recording.poses.is_empty() {
+                return Err(Place::Whole.wrong(Cause::Empty));
+            }
             recording.tell_epoch(report);
         }
         Ok((format.name, content))
@@ -251,12 +254,18 @@ fn with_path(
     Ok(document)
 }
 
-/// The poses in a file; lines of ten numbers where the content looks like nothing known.
+/// The poses in a file, in its format or the one that its content shows, and else as lines of ten
+/// numbers. Reports keyframes, which are left out.
 ///
 /// # Errors
 /// As [`read`]; [`Error::NotPoses`] for a scene.
-pub fn recording(source: &Source, options: &Options, report: &mut Report) -> Result<Recording> {
-    let content = match read(source, None, options, report) {
+pub fn recording(
+    source: &Source,
+    format: Option<&Format>,
+    options: &Options,
+    report: &mut Report,
+) -> Result<Recording> {
+    let content = match read(source, format, options, report) {
         // The reader of lines says what is wrong with them.
         Err(Error::In(_, error)) if matches!(*error, Error::NotRecognised) => {
             read(source, Some(&super::ascii::ASCII), options, report)
@@ -264,7 +273,10 @@ pub fn recording(source: &Source, options: &Options, report: &mut Report) -> Res
         content => content,
     };
     match content?.1 {
-        Content::Poses(recording) => Ok(recording),
+        Content::Poses(recording) => {
+            recording.tell_keyframes(report);
+            Ok(recording)
+        }
         Content::Scene(_) => Err(Error::NotPoses.at(&source.name)),
     }
 }

@@ -248,6 +248,8 @@ pub enum Cause {
     Expected(Wanted),
     #[error("expected {wanted} numbers, found {found}")]
     NumberCount { wanted: usize, found: usize },
+    #[error("expected one for each of {poses} poses, found {found}")]
+    EachPose { poses: usize, found: usize },
     #[error("the number must be finite")]
     NotFinite,
     #[error("the number is too large")]

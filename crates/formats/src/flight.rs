@@ -351,12 +351,18 @@ impl<'a> Flight<'a> {
             Holds::Scene => {}
             Holds::Frames => self.tell_others(report),
             Holds::View => self.needs_camera()?,
+            Holds::Objects => {
+                self.needs_camera()?;
+                self.tell_motion(report);
+            }
             Holds::Motion => {
                 self.needs_camera()?;
+                self.tell_others(report);
                 self.tell_motion(report);
             }
             Holds::Poses => {
                 self.needs_camera()?;
+                self.tell_others(report);
                 self.tell_motion(report);
                 if !self.info().object.is_empty() {
                     report.add(Loss::Object);
@@ -374,9 +380,8 @@ impl<'a> Flight<'a> {
         }
     }
 
-    /// Reports the other nodes, and of what becomes a pose a frame.
+    /// Reports of what becomes a pose a frame.
     fn tell_motion(&self, report: &mut Report) {
-        self.tell_others(report);
         let node = &self.scene().nodes()[self.node];
         if node.aim.is_some() {
             report.add(Loss::Aims(1));

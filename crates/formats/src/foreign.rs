@@ -31,9 +31,11 @@ pub enum Way {
     Metres,
     /// Nuke's list of poses.
     Chan,
-    /// COLMAP's model as text, by this command.
+    /// COLMAP's model, by this command.
     Colmap(&'static str),
-    /// `transforms.json`, by this command.
+    /// The model that COLMAP makes of its database.
+    Model,
+    /// `transforms.json`, by this command, which takes cameras that were exported as XML.
     Transforms(&'static str),
     /// The poses of a recording, by a program that reads such logs.
     Log,
@@ -56,12 +58,18 @@ impl fmt::Display for Way {
             }
             Self::Chan => "export the camera as .chan from Nuke",
             Self::Colmap(command) => {
-                return write!(f, "export the model as text with \"{command}\"");
+                return write!(f, "export a COLMAP model with \"{command}\", and name its folder");
+            }
+            Self::Model => {
+                "they have no poses: name the folder of the model that \"colmap mapper\" makes of them"
             }
             Self::Transforms(command) => {
-                return write!(f, "make transforms.json with \"{command}\"");
+                return write!(
+                    f,
+                    "export the cameras as XML, and make transforms.json of them with \"{command}\""
+                );
             }
-            Self::Log => "extract the poses, as TUM with \"evo_traj\" for example",
+            Self::Log => "extract the poses, as with \"evo_traj bag in.bag TOPIC --save_as_tum\"",
             Self::NoCameras => "they have points and no cameras",
             Self::Unpack => "unpack it",
         })
@@ -155,7 +163,7 @@ static KINDS: [Foreign; 44] = [
     kind("MCAP", Way::Log, &[b"\x89MCAP"], &[], &["mcap"]),
     kind("ULog", Way::Poses, &[b"ULog\x01"], &[], &["ulg"]),
     // Cameras from pictures.
-    kind("COLMAP database", Way::Colmap("colmap model_converter"), &[], &["two_view_geometries"], &["db"]),
+    kind("COLMAP database", Way::Model, &[], &["two_view_geometries"], &["db"]),
     kind("OpenSfM", Way::Colmap("opensfm export_colmap"), &[], &["\"shots\""], &[]),
     kind("OpenMVG", Way::Colmap("openMVG_main_openMVG2Colmap"), &[], &["\"sfm_data_version\""], &[]),
     kind("AliceVision", Way::Poses, &[], &["\"featuresFolders\""], &["sfm", "mg"]),

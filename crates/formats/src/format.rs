@@ -27,6 +27,8 @@ pub enum Holds {
     Scene,
     /// What a camera sees; the writer reports the rest.
     View,
+    /// A camera's poses and all objects; the writer reports the rest.
+    Objects,
     /// A camera's poses, and the object.
     Motion,
     /// A camera's poses.

@@ -3,8 +3,8 @@
 use vides_document::error::vec_with_room;
 use vides_engine::limits::MAX_POINTS;
 use vides_engine::path::arc_length::ArcLength;
-use vides_engine::path::curve::segment as segment_of;
-use vides_engine::path::own::{check_distance, distance};
+use vides_engine::path::curve::{segment as segment_of, tangents};
+use vides_engine::path::own::{Tangents, check_distance, distance};
 use vides_engine::path::{
     CameraPath, CurveParameters, Orientation, Pace, Pose, Space, SupportPoint, Target, Tcb,
 };
@@ -26,6 +26,31 @@ fn inner_slope(before: f64, after: f64) -> f64 {
 /// The same at an end, beside the step `near`.
 fn end_slope(near: f64, far: f64) -> f64 {
     (((2.0 * near + far) / near - near / far) / (near + far)).max(0.0)
+}
+
+/// Gives the ends of an open path the tangents of the viewer's: no curvature there, where ours are
+/// parabolas.
+fn end_naturally(path: &mut CameraPath) -> Result<()> {
+    let last = path.points.len() - 1;
+    if path.closed {
+        return Ok(());
+    }
+    for (end, next) in [(0, 1), (last, last - 1)] {
+        let sign = if end == 0 { 1.0 } else { -1.0 };
+        let chord = sign * (path.points[next].position - path.points[end].position);
+        let inner = match end {
+            // Two points are joined by a straight line.
+            _ if last == 1 => chord,
+            0 => tangents(path, next).before,
+            _ => tangents(path, next).after,
+        };
+        let own = 1.5 * chord - 0.5 * inner;
+        path.points[end].tangents = Some(Tangents {
+            before: own,
+            after: own,
+        });
+    }
+    Ok(path.check()?)
 }
 
 /// Poses that a spline of Kochanek and Bartels leads through.
@@ -107,6 +132,7 @@ impl Keyframes {
             ..CameraPath::try_new()?
         };
         path.check()?;
+        end_naturally(&mut path)?;
         for segment in 0..path.segment_count() {
             let pace = self.pace(&path, segment, leaves[segment], &seconds)?;
             let view = &mut path.points[segment].orientations[0];

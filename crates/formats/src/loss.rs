@@ -81,6 +81,8 @@ pub enum Loss {
     RepeatedTimes(usize),
     /// The times begin at this second, and count from 0 here.
     Epoch(f64),
+    /// Keyframes of a file whose frames are read in their place.
+    Keyframes(usize),
     /// Rates beyond the range.
     Rates(usize),
     /// Everything is far away: roots are in a node there.
@@ -209,6 +211,11 @@ impl fmt::Display for Loss {
                 write!(f, "the times begin at {start} s: they count from 0 here")
             }
             Self::RepeatedTimes(n) => counted(f, *n, "pose% at the time of another left out"),
+            Self::Keyframes(n) => {
+                let what = "keyframe% left out, since the frames are fitted: import the file \
+                            (\"vides convert\") to make the keyframes points of a path";
+                counted(f, *n, what)
+            }
             Self::Rates(n) => write!(f, "{n} rate{} beyond 0 to {MAX_FPS} left out", plural(*n)),
             Self::Origin([x, y, z]) => write!(
                 f,
@@ -232,12 +239,13 @@ impl fmt::Display for Loss {
                 )
             }
             Self::AppliedTransform => f.write_str(
-                "applied_transform is in the poses: their world is not that of the capture",
+                "the poses are in the world after applied_transform: multiply objects from the \
+                 world of the capture by this matrix to make them fit",
             ),
             Self::NormalisedWorld(scale) => write!(
                 f,
-                "the poses are in nerfstudio's world: its lengths are those of the capture times \
-                 {scale} (dataparser_transforms.json)"
+                "the poses are in nerfstudio's world: multiply objects of the capture by \"transform\" \
+                 in dataparser_transforms.json, then by {scale}; those of \"ns-export\" fit as they are"
             ),
             Self::Oblong(n) => write!(
                 f,

@@ -46,6 +46,14 @@ fn read(source: &Source, _: &Options, report: &mut Report) -> Result<Content> {
     let mut lenses = Lenses::default();
     let poses = root.need("poses")?;
     let each = root.get("perFrameIntrinsicCoeffs");
+    // Without a number it is as if it were not there.
+    let each = each.filter(|each| each.value.as_array().is_none_or(|list| !list.is_empty()));
+    if let Some(each) = each {
+        let (poses, found) = (poses.list()?.len(), each.list()?.len());
+        if found < poses {
+            return Err(each.wrong(Cause::EachPose { poses, found }));
+        }
+    }
     for (index, pose) in poses.list()?.enumerate() {
         let [x, y, z, w, position @ ..] = pose.numbers::<7>()?;
         let zoom = match each {
@@ -93,11 +101,11 @@ fn lens(root: At<'_>, at: At<'_>, is_matrix: bool) -> Result<Option<Lens>> {
 }
 
 /// As many times as there are poses.
-fn seconds(at: At<'_>, wanted: usize) -> Result<Vec<f64>> {
+fn seconds(at: At<'_>, poses: usize) -> Result<Vec<f64>> {
     let list = at.list()?;
     let found = list.len();
-    if found != wanted {
-        return Err(at.wrong(Cause::NumberCount { wanted, found }));
+    if found != poses {
+        return Err(at.wrong(Cause::EachPose { poses, found }));
     }
     let mut seconds: Vec<f64> = vec_with_room(found)?;
     for stamp in list {

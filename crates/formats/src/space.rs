@@ -8,7 +8,7 @@ use vides_document::error::vec_with_room;
 use vides_engine::path::{Space, Up};
 use vides_engine::scene::{Channel, Kind, Light, NodeState, Scene, Warnings};
 
-use super::content::Recording;
+use super::content::space_around;
 use super::error::Result;
 
 /// Nodes that are placed, over all frames that are looked at.
@@ -49,13 +49,8 @@ pub(super) fn around(scene: &Scene, others: impl Iterator<Item = DVec3>, up: Up)
             }
         }
     }
-    let mut points = vec_with_room(2)?;
-    points.extend(bounds.0.iter().flatten());
-    let ends = Recording {
-        points,
-        ..Recording::default()
-    };
-    ends.space(up)
+    let ends = bounds.0.unwrap_or_default();
+    space_around(&[], &ends, up)
 }
 
 /// For each node the places that it takes, in its own coordinates: none for what has no place.

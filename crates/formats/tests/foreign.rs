@@ -172,11 +172,19 @@ fn the_way_is_one_that_there_is() {
         ),
         (
             b"<chunk label=\"a\">",
-            "make transforms.json with \"ns-process-data metashape\"",
+            "export the cameras as XML, and make transforms.json of them with \"ns-process-data metashape\"",
         ),
         (
             b"[{\"shots\": {}}]",
-            "export the model as text with \"opensfm export_colmap\"",
+            "export a COLMAP model with \"opensfm export_colmap\", and name its folder",
+        ),
+        (
+            b"SQLite format 3\0CREATE TABLE two_view_geometries (",
+            "they have no poses: name the folder of the model that \"colmap mapper\" makes of them",
+        ),
+        (
+            b"#ROSBAG V2.0",
+            "extract the poses, as with \"evo_traj bag in.bag TOPIC --save_as_tum\"",
         ),
         (b"<kml>", "write its poses in metres, as TUM for example"),
         (b"PK\x03\x04", "unpack it"),

@@ -1,4 +1,4 @@
-"""What evo makes of TUM and KITTI trajectories."""
+"""What evo makes of TUM, EuRoC and KITTI trajectories."""
 
 import common
 from evo.tools import file_interface
@@ -8,7 +8,9 @@ def work(job):
     if job["format"] == "kitti":
         path = file_interface.read_kitti_poses_file(job["file"])
         return {"frames": [common.frame(matrix, 1) for matrix in path.poses_se3]}
-    path = file_interface.read_tum_trajectory_file(job["file"])
+    euroc = job["format"] == "euroc"
+    read = file_interface.read_euroc_csv_trajectory if euroc else file_interface.read_tum_trajectory_file
+    path = read(job["file"])
     right, words = path.check()
     if not right:
         raise ValueError(str(words))

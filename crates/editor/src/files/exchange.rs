@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use vides_document::tool::{Needs, ToolInput, tools};
-use vides_document::{Edit, SceneDocument};
+use vides_document::{Edit, SceneDocument, mesh};
 use vides_engine::path::Up;
-use vides_formats::{Content, Flight, Format, Loss, Options, Report, Source};
+use vides_formats::{Content, Flight, Format, Loss, Options, Recording, Report, Source};
 
 use crate::files::short;
 use crate::state::Editor;
@@ -15,6 +15,19 @@ use crate::texts::formats::{losses_of, reason_of};
 
 /// The format of a file whose name tells none: the thesis's (B.2.3).
 pub(super) const DEFAULT: &str = "ascii";
+
+/// Whether a file is a mesh, by its ending, without a camera: an object rather than a scene.
+pub(crate) fn is_object(file: &Path) -> bool {
+    let has_camera = || {
+        let options = Options::default();
+        let read = Source::open(file).and_then(|source| {
+            vides_formats::read(&source, None, &options, &mut Report::default())
+        });
+        // What cannot be read is refused when it is loaded.
+        matches!(read, Ok((_, Content::Scene(document))) if document.scene.shown_camera().is_some())
+    };
+    mesh::Format::of(file).is_some() && !has_camera()
+}
 
 impl Editor {
     /// Writes into a file of the chosen format, or of the one its name tells; asks first if
@@ -81,33 +94,21 @@ impl Editor {
             let source = Source::open(file)?;
             vides_formats::read(&source, None, &Options::default(), report)
         };
-        let (_, content) = read(&mut report).map_err(|error| {
-            let text = self.texts().errors.cannot_load;
-            fill(text, &[&short(file), &reason_of(self, &error)])
-        })?;
+        let (_, content) = read(&mut report).map_err(|error| self.not_loaded(file, &error))?;
         match content {
             Content::Poses(recording) => {
                 let Some(up) = recording.up.or(up) else {
                     self.windows.question = Some(Question::upright(file));
                     return Ok(());
                 };
-                let fps = recording.rate().unwrap_or(self.document.info().fps);
-                let seconds = recording.seconds_at(fps);
                 // The path alone is turned upright, not the scene around it.
                 let scene = self.document.edited_scene();
                 if scene.is_some_and(|edited| edited.scene().space().up != up) {
                     report.add(Loss::Upright(up.name()));
                 }
-                let poses = ToolInput::Poses(recording.poses, seconds, up);
-                let waits = self
-                    .windows
-                    .tool
-                    .as_ref()
-                    .is_some_and(|window| window.waits());
-                let fit = tools().find(|tool| tool.needs() == Needs::Poses);
-                if waits || fit.is_some_and(|fit| self.prepare_tool(fit)) {
-                    self.begin_tool_with(poses);
-                    self.tell_loaded(file, &report);
+                let taken = self.take_recording(recording, up, &mut report);
+                if !taken.map_err(|error| self.not_loaded(file, &error))? {
+                    return Ok(());
                 }
             }
             Content::Scene(document) => {
@@ -120,10 +121,43 @@ impl Editor {
                 let done = self.document.apply_all(edits);
                 done.map_err(|error| self.refusal(self.texts().errors.cannot_load, file, &error))?;
                 self.show_anew();
-                self.tell_loaded(file, &report);
             }
         }
+        self.tell_loaded(file, &report);
         Ok(())
+    }
+
+    /// Takes over poses: keyframes as the path, in one step, unless a tool waits for poses; all
+    /// others by the tool that fits them; false, and a sentence, if that cannot begin.
+    fn take_recording(
+        &mut self,
+        recording: Recording,
+        up: Up,
+        report: &mut Report,
+    ) -> vides_formats::Result<bool> {
+        let tool = self.windows.tool.as_ref();
+        let waits = tool.is_some_and(|window| window.waits());
+        let document_fps = self.document.info().fps;
+        let space = self.document.path().space;
+        if !waits && let Some(path) = recording.path(Some(space), up, document_fps)? {
+            self.cancel_tool();
+            self.change(|document| document.apply(Edit::ReplacePath(Box::new(path))))?;
+            return Ok(true);
+        }
+        recording.tell_keyframes(report);
+        let fps = recording.rate().unwrap_or(document_fps);
+        let seconds = recording.seconds_at(fps);
+        let fit = tools().find(|tool| tool.needs() == Needs::Poses);
+        let ready = waits || fit.is_some_and(|fit| self.prepare_tool(fit));
+        if ready {
+            self.begin_tool_with(ToolInput::Poses(recording.poses, seconds, up));
+        }
+        Ok(ready)
+    }
+
+    fn not_loaded(&self, file: &Path, error: &vides_formats::Error) -> String {
+        let text = self.texts().errors.cannot_load;
+        fill(text, &[&short(file), &reason_of(self, error)])
     }
 
     /// That a file was taken over, and what of it was not.

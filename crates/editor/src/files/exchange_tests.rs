@@ -126,6 +126,45 @@ fn poses_are_fitted_and_the_unknown_is_refused() {
     }
 }
 
+/// The keyframes of a file are the points, as when it is converted; a tool that waits for poses
+/// gets the frames, and tells it.
+#[test]
+fn keyframes_become_points() {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../formats/tests/nerfstudio/open.json");
+    let source = vides_formats::Source::open(&file).expect("a file");
+    let converted = vides_formats::import(&source, None, &Options::default()).expect("a scene");
+    let converted = converted.document.scene.nodes()[0].path().expect("a path");
+    for language in BOTH {
+        let folder = tempfile::tempdir().expect("a folder");
+        let mut window = window_in(language, folder.path());
+        let mut info = window.state().document.info().clone();
+        info.fps = 10.0;
+        let edit = Edit::SetInfo(Box::new(info));
+        window.state_mut().document.apply(edit).expect("applied");
+        let before = window.state().document.path().clone();
+        window.state_mut().file_chosen(Purpose::Import, &file);
+        window.run();
+        assert!(window.state().windows.tool.is_none());
+        let path = window.state().document.path();
+        assert_eq!(path.points, converted.path().points);
+        assert!(window.state_mut().document.undo());
+        assert_eq!(window.state().document.path(), &before);
+        let mut tools = vides_document::tool::tools();
+        let fit = tools.find(|tool| tool.needs() == vides_document::tool::Needs::Poses);
+        window.state_mut().open_tool(fit.expect("the fit"));
+        window.state_mut().file_chosen(Purpose::Import, &file);
+        window.run();
+        let said = said(&window).expect("a sentence");
+        let told = match language {
+            Language::English => "5 keyframes left out",
+            Language::German => "Schlüssel bleiben weg, angenähert werden die Bilder: 5",
+        };
+        assert!(said.contains(told), "{said}");
+        click(&mut window, "OK");
+        assert!(window.state().document.path().points != converted.path().points);
+    }
+}
+
 /// Poses whose file does not say which axis stands upright wait for the answer; the path takes that
 /// axis, and one that the file says without a question. No camera is turned on its side.
 #[test]

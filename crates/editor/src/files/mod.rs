@@ -45,6 +45,7 @@ use crate::state::files::{AfterSave, FileWindow, Purpose, Question};
 use crate::state::{Editor, Request};
 use crate::texts::fill;
 use crate::texts::refusals::reason_of;
+pub(crate) use exchange::is_object;
 pub use folders::Folders;
 
 impl Editor {

@@ -17,8 +17,6 @@ texts! {
         block: "block", "Baustein";
         one_file: "One file can be dropped at a time", "Ablegen lässt sich nur eine Datei auf einmal";
         not_here: "{0} is no file of this machine", "{0} ist keine Datei dieses Rechners";
-        unknown_file: "{0} is neither a path (.vid) nor an object (OBJ, PLY, STL, glTF)",
-            "{0} ist weder eine Bahn (.vid) noch ein Objekt (OBJ, PLY, STL, glTF)";
 
         folder: "Directory", "Verzeichnis";
         folder_hint: "Type a directory and press Enter", "Ein Verzeichnis eintippen und Enter drücken";

@@ -77,10 +77,12 @@ german! {
         Poses => "bitte die Posen ausgeben, etwa als TUM, CSV oder transforms.json";
         Metres => "bitte ihre Posen in Metern schreiben, etwa als TUM";
         Chan => "bitte die Kamera aus Nuke als .chan ausgeben";
-        Colmap(command) => "bitte das Modell mit „{command}“ als Text ausgeben";
-        Transforms(command) => "bitte mit „{command}“ eine transforms.json daraus machen";
-            Metadata => "bitte die Metadaten auspacken, mit „unzip -p in.r3d metadata > metadata.json“";
-        Log => "bitte die Posen herausziehen, etwa mit „evo_traj“ als TUM";
+        Colmap(command) => "bitte mit „{command}“ ein Modell für COLMAP ausgeben und dessen Verzeichnis nennen";
+        Model => "darin sind keine Posen; bitte das Verzeichnis des Modells nennen, das „colmap mapper“ daraus macht";
+        Transforms(command) =>
+            "bitte die Kameras als XML ausgeben und mit „{command}“ eine transforms.json daraus machen";
+        Metadata => "bitte die Metadaten auspacken, mit „unzip -p in.r3d metadata > metadata.json“";
+        Log => "bitte die Posen herausziehen, etwa mit „evo_traj bag in.bag TOPIC --save_as_tum“";
         NoCameras => "sie haben Punkte und keine Kameras";
         Unpack => "bitte auspacken";
     }
@@ -93,6 +95,7 @@ german! {
     Cause {
         Expected(wanted) => "{} erwartet", German(wanted);
         NumberCount { wanted, found } => "{wanted} Zahlen erwartet, {found} gefunden";
+        EachPose { poses, found } => "für jede von {poses} Posen wird einer erwartet, gefunden: {found}";
         NotFinite => "die Zahl muss endlich sein";
         TooLarge => "die Zahl ist zu groß";
         NoRotation => "die Drehung ist null";
@@ -165,6 +168,8 @@ german! {
         Upright(axis) => "in der Datei steht {axis} senkrecht, in diesem Dokument nicht";
         Epoch(start) => "die Zeiten beginnen bei {} s: hier zählen sie ab 0",
             Language::German.written(start.to_string());
+        Keyframes(count) =>
+            "Schlüssel bleiben weg, angenähert werden die Bilder: {count}; ein Import ohne Werkzeug macht sie zu Punkten";
         Rates(count) => "Bildraten außerhalb von 0 bis {MAX_FPS} bleiben weg: {count}";
         Origin(place) =>
             "zu weit vom Ursprung für 32 Bit: alle Knoten liegen in einem Knoten „origin“ bei {}",
@@ -176,9 +181,10 @@ german! {
         Orthographic(count) => "Kameras ohne Perspektive, wie mit ihr: {count}";
         SquarePictures => "die Größe der Aufnahmen ist unbekannt: wie quadratisch; size nennt sie";
         UnknownSize => "die Größe der Aufnahmen ist unbekannt: wie 1920x1080; size nennt sie";
-        AppliedTransform => "applied_transform steckt in den Posen: ihre Welt ist nicht die der Aufnahme";
+        AppliedTransform =>
+            "die Posen sind in der Welt nach applied_transform: Objekte aus der Welt der Aufnahme passen, mit dieser Matrix malgenommen, hinein";
         NormalisedWorld(scale) =>
-            "die Posen sind in der Welt von nerfstudio: ihre Längen sind {} mal die der Aufnahme (dataparser_transforms.json)",
+            "die Posen sind in der Welt von nerfstudio: Objekte der Aufnahme passen, mit „transform“ aus dataparser_transforms.json und dann mit {} malgenommen, hinein; die von „ns-export“ passen schon",
             number(*scale);
         Oblong(count) => "Bilder, deren Pixel nicht quadratisch sind: es gilt die Höhe: {count}";
         OtherScenes(count) => "andere Szenen bleiben weg: {count}";

@@ -26,8 +26,8 @@ texts! {
         context_meaning: "What can be done with it", "Was sich mit ihm tun lässt";
 
         drop: "Drop a file", "Eine Datei ablegen";
-        drop_meaning: "Open a path (.vid), or show an object (OBJ, PLY, STL, glTF)",
-            "Eine Bahn (.vid) öffnen oder ein Objekt (OBJ, PLY, STL, glTF) zeigen";
+        drop_meaning: "Open a path (.vid), show an object (OBJ, PLY, STL, glTF), or import any other file",
+            "Eine Bahn (.vid) öffnen, ein Objekt (OBJ, PLY, STL, glTF) zeigen oder eine andere Datei importieren";
 
         shortcuts: "Shortcuts", "Tastenkürzel";
 

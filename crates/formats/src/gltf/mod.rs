@@ -25,6 +25,8 @@ mod tests;
 #[cfg(test)]
 mod tests_far;
 #[cfg(test)]
+mod tests_marks;
+#[cfg(test)]
 mod tests_read;
 mod write;
 mod wrong;

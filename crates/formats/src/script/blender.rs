@@ -1,4 +1,4 @@
-//! A script for Blender: a camera with a key a frame, and the object.
+//! A script for Blender: a camera with a key a frame, the object, and those of the scene.
 
 use std::cell::Cell;
 use std::io::Write;
@@ -6,7 +6,7 @@ use std::io::Write;
 use vides_engine::math::camera::CameraAxes;
 use vides_engine::path::Up;
 
-use super::data;
+use super::{data, objects};
 use crate::convention::{self, Continued};
 use crate::error::Result;
 use crate::flight::Flight;
@@ -23,14 +23,16 @@ pub(crate) static BLENDER: Format = Format {
     title: "Blender script",
     endings: &["py"],
     up: Some(Up::Z),
-    holds: Holds::Motion,
+    holds: Holds::Objects,
     write: Some(write),
     ..Format::PLAIN
 };
 
 fn write(flight: &mut Flight<'_>, out: &mut dyn Write, report: &mut Report) -> Result<()> {
     let first = first_frame(flight, report);
-    let head = data::head(flight, SCRIPT, first, report)?;
+    let mut head = data::head(flight, SCRIPT, first, report)?;
+    objects::push(&mut head, flight, report)?;
+    data::begin_frames(&mut head);
     let continued = Cell::new(Continued::default());
     flight.write_poses(head, out, |_, text, index, pose| {
         let mut before = continued.get();

@@ -17,7 +17,7 @@ const OPEN: &str = "DATA = r'''";
 const CLOSE: &str = "'''";
 
 /// Points, lines and triangles beyond which an object is left out: text is no place for them.
-const MOST_PIECES: usize = 100_000;
+pub(super) const MOST_PIECES: usize = 100_000;
 
 /// The text of a script before and behind its data.
 fn around(script: &'static str) -> [&'static str; 2] {
@@ -28,7 +28,7 @@ fn around(script: &'static str) -> [&'static str; 2] {
 }
 
 /// Appends a text in quotes: letters, digits and harmless signs of ASCII, all else by number.
-fn push_text(out: &mut Vec<u8>, text: &str) {
+pub(super) fn push_text(out: &mut Vec<u8>, text: &str) {
     out.push(b'"');
     for unit in text.encode_utf16() {
         match u8::try_from(unit) {
@@ -42,7 +42,8 @@ fn push_text(out: &mut Vec<u8>, text: &str) {
     out.push(b'"');
 }
 
-/// The script up to its frames: what belongs to the flight, and the object if it is taken.
+/// The script up to what is appended before its frames, by [`begin_frames`]: what belongs to the
+/// flight, and the object if it is taken.
 pub(super) fn head(
     flight: &Flight<'_>,
     script: &'static str,
@@ -74,8 +75,12 @@ pub(super) fn head(
          \"first_frame\": {first},\n\"size\": [{width}, {height}],\n"
     );
     push_object(&mut text, flight, report);
-    text.extend_from_slice(b"\"frames\": [");
     Ok(text)
+}
+
+/// Appends what comes before the frames.
+pub(super) fn begin_frames(text: &mut Vec<u8>) {
+    text.extend_from_slice(b"\"frames\": [");
 }
 
 /// Appends the object's points, lines and triangles, in the file's coordinates.
@@ -116,7 +121,7 @@ fn push_object(text: &mut Vec<u8>, flight: &Flight<'_>, report: &mut Report) {
     }
 }
 
-fn push_rows<T: std::fmt::Debug>(text: &mut Vec<u8>, rows: impl IntoIterator<Item = T>) {
+pub(super) fn push_rows<T: std::fmt::Debug>(text: &mut Vec<u8>, rows: impl IntoIterator<Item = T>) {
     for (at, row) in rows.into_iter().enumerate() {
         let comma = if at == 0 { "" } else { "," };
         let _ = write!(text, "{comma}\n{row:?}");

@@ -1,8 +1,8 @@
 """A camera flight for Blender 3.6 and later, written by VIDES.
 
 Open it in Blender's text editor and press Run Script, or start `blender --python FILE`; where bpy
-is a module of Python, run it there. It adds a camera, and the object if the flight has one, and sets
-the scene's camera, frames, rate and resolution. Nothing is removed.
+is a module of Python, run it there. It adds a camera and the objects of the flight, and sets the
+scene's camera, frames, rate and resolution. Nothing is removed.
 """
 
 import json
@@ -54,7 +54,27 @@ def add_object(scene, name, shape):
     mesh = bpy.data.meshes.new(name)
     mesh.from_pydata(shape["points"], shape["lines"], shape["triangles"])
     mesh.validate()
-    scene.collection.objects.link(bpy.data.objects.new(name, mesh))
+    thing = bpy.data.objects.new(name, mesh)
+    scene.collection.objects.link(thing)
+    return thing
+
+
+def add_objects(scene, flight):
+    """Adds the objects of a scene: a place is a position, a rotation, a scale, and 1 if hidden."""
+    for shape in flight.get("objects", []):
+        thing = add_object(scene, shape["name"], shape)
+        thing.rotation_mode = "QUATERNION"
+        first = shape["places"][0]
+        thing.location, thing.rotation_quaternion, thing.scale = first[:3], first[3:7], first[7:10]
+        thing.hide_render = thing.hide_viewport = bool(first[10])
+        if len(shape["places"]) == 1:
+            continue
+        columns = list(zip(*shape["places"]))
+        hidden = [(name, columns[10:]) for name in ("hide_render", "hide_viewport")]
+        channels = [("location", columns[:3]), ("rotation_quaternion", columns[3:7]), ("scale", columns[7:10])]
+        if any(columns[10]):
+            channels += hidden
+        animate(thing, shape["name"], flight["first_frame"], channels)
 
 
 def add_camera(scene, flight):
@@ -92,6 +112,7 @@ def main():
     set_frames(scene, flight)
     if "object" in flight:
         add_object(scene, flight["title"] or "object", flight["object"])
+    add_objects(scene, flight)
     scene.camera = add_camera(scene, flight)
     scene.frame_set(flight["first_frame"])
 

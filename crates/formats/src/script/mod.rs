@@ -7,6 +7,7 @@
 
 mod blender;
 mod data;
+mod objects;
 mod paraview;
 mod vtk;
 

@@ -78,7 +78,8 @@ fn read(source: &Source, _: &Options, report: &mut Report) -> Result<Content> {
 
 fn write(flight: &mut Flight<'_>, out: &mut dyn Write, report: &mut Report) -> Result<()> {
     let first = flight.number(0).round() as i64;
-    let head = data::head(flight, SCRIPT, first, report)?;
+    let mut head = data::head(flight, SCRIPT, first, report)?;
+    data::begin_frames(&mut head);
     let focus = Focus::new(flight)?;
     let sample =
         |flight: &Flight<'_>, from, framed: &mut [Framed]| focus.sample(flight, from, framed);

@@ -298,3 +298,108 @@ fn a_name_in_py_is_no_format() {
                 command";
     assert_eq!(error.to_string(), said);
 }
+
+/// A camera that flies past a box in a turned and scaled group; the box moves, a sign does not.
+const SCENE: &str = r#"
+version = 1
+[space]
+up = "y"
+[[node]]
+name = "eye"
+kind = "camera"
+position = [0.0, 0.0, 5.0]
+[[node]]
+name = "turned"
+kind = "group"
+rotation = [0.8, 0.0, 0.6, 0.0]
+scale = [2.0, 2.0, 2.0]
+[[node]]
+name = "box"
+kind = "object"
+parent = "turned"
+[[node.track]]
+channel = "position"
+interpolation = "linear"
+frames = [1.0, 11.0]
+values = [[0.0, 0.0, 0.0], [1.0, 2.0, 3.0]]
+[[node.track]]
+channel = "visible"
+interpolation = "step"
+frames = [1.0, 6.0]
+values = [1.0, 0.0]
+[node.mesh]
+points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]
+triangles = [[0, 1, 2]]
+[[node]]
+name = "a ''' + boom()"
+kind = "object"
+position = [1.0, 2.0, 3.0]
+[node.mesh]
+points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]]
+lines = [[0, 1]]
+[[node]]
+name = "lamp"
+kind = "light"
+light = "point"
+"#;
+
+/// Each corner is where the engine has it, frame by frame, with z upright; ParaView's script has none.
+#[test]
+fn blender_gets_the_objects_of_a_scene() {
+    let (script, report) = written(SCENE, "blender", "scale=10");
+    assert_eq!(report.losses(), [Loss::OtherNodes(1)]);
+    let held = json(&script);
+    let objects = held["objects"].as_array().unwrap();
+    let names = objects
+        .iter()
+        .map(|object| object["name"].as_str().unwrap());
+    assert!(names.eq(["box", "a ''' + boom()"]));
+    let document = document(SCENE);
+    let scene = &document.scene;
+    let numbers = |row: &serde_json::Value| -> Vec<f64> {
+        let row = row.as_array().unwrap().iter();
+        row.map(|number| number.as_f64().unwrap()).collect()
+    };
+    let mut hidden = 0;
+    for (object, count) in objects.iter().zip([11, 1]) {
+        let at = scene.find(object["name"].as_str().unwrap()).unwrap();
+        let places = object["places"].as_array().unwrap();
+        assert_eq!(places.len(), count);
+        for frame in 0..11 {
+            let place = numbers(places.get(frame).unwrap_or(&places[0]));
+            let [x, y, z, w, i, j, k, a, b, c, hides] = *place else {
+                panic!("{place:?}");
+            };
+            let turn = glam::DQuat::from_xyzw(i, j, k, w);
+            let mut states = vec![Default::default(); scene.nodes().len()];
+            let warnings = &mut vides_engine::scene::Warnings::default();
+            scene
+                .evaluate(1.0 + frame as f64, &mut states, warnings)
+                .unwrap();
+            for corner in object["points"].as_array().unwrap() {
+                let corner = DVec3::from_slice(&numbers(corner));
+                let made = turn * (DVec3::new(a, b, c) * corner) + DVec3::new(x, y, z);
+                let wanted = 10.0 * states[at].world().transform_point3(corner);
+                let wanted = DVec3::new(wanted.x, -wanted.z, wanted.y);
+                assert!(made.distance(wanted) < 1e-12, "{frame}: {made} {wanted}");
+            }
+            assert_eq!(hides == 1.0, states[at].visible == 0);
+            hidden += usize::from(hides == 1.0);
+        }
+    }
+    assert_eq!(hidden, 6);
+    let (script, report) = written(SCENE, "paraview", "");
+    assert!(json(&script).get("objects").is_none());
+    assert_eq!(report.losses(), [Loss::OtherNodes(4)]);
+}
+
+/// Objects and their places share the room of a script; those that do not fit are counted.
+#[test]
+fn large_objects_of_a_scene_are_left_out() {
+    let row = "[0, 0, 0], ".repeat(MOST_PIECES);
+    let large = SCENE.replacen("points = [", &format!("points = [{row}"), 1);
+    let (script, report) = written(&large, "blender", "");
+    let held = json(&script);
+    assert_eq!(held["objects"].as_array().unwrap().len(), 1);
+    assert_eq!(report.losses(), [Loss::OtherNodes(2)]);
+}

@@ -21,7 +21,8 @@ pub(crate) static VTK: Format = Format {
 
 fn write(flight: &mut Flight<'_>, out: &mut dyn Write, report: &mut Report) -> Result<()> {
     let first = flight.number(0).round() as i64;
-    let head = data::head(flight, SCRIPT, first, report)?;
+    let mut head = data::head(flight, SCRIPT, first, report)?;
+    data::begin_frames(&mut head);
     flight.write_poses(head, out, |_, text, index, pose| {
         let mut row = [pose.zoom; 10];
         row[..9].copy_from_slice([pose.vrp, pose.vpn, pose.vup].as_flattened());

@@ -359,3 +359,57 @@ fn a_lamp_keeps_its_intensity() {
     // 1000 W / 4π sr at 683 lm/W, as its glTF has it.
     assert!((lamp - 54_351.413).abs() < 1e-2, "{lamp}");
 }
+
+/// What `customData` marks is read as it was written. Without the marks the world is one more node
+/// in each further file, the wireframe is a node, and an object of faces and lines, or a camera that
+/// carries others, is several.
+#[test]
+fn marks_are_needed() {
+    let mut was = document(
+        "version = 1\n[[point]]\nposition = [0, 0, 1]\n[[point]]\nposition = [1, 0, 1]\n\
+         [object]\npoints = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]]\nlines = [[0, 1]]\n",
+    );
+    let others = document(
+        "version = 1\n[[node]]\nname = \"eye\"\nkind = \"camera\"\n\
+         [[node]]\nname = \"lamp\"\nkind = \"light\"\nlight = \"point\"\nparent = \"eye\"\n\
+         [[node]]\nname = \"sign\"\nkind = \"object\"\n[node.mesh]\n\
+         points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]\n\
+         triangles = [[0, 1, 2]]\nlines = [[0, 1]]\n",
+    );
+    let before = was.scene.nodes().len();
+    for node in others.scene.nodes() {
+        let mut node = node.clone();
+        node.parent = node.parent.map(|at| at + before);
+        was.scene.add(node).unwrap();
+    }
+    let marked: fn(&SceneDocument) -> String = written;
+    let unmarked: fn(&SceneDocument) -> String = |document| {
+        let text = written(document);
+        let mut without = String::new();
+        let mut rest = text.as_str();
+        while let Some((before, after)) = rest.split_once("customData = {") {
+            without += before;
+            without += "customData = { int none = 0 ";
+            rest = &after[after.find('}').unwrap()..];
+        }
+        without + rest
+    };
+    let count = |document: &SceneDocument| document.scene.nodes().len();
+    let trips = |text: fn(&SceneDocument) -> String| {
+        let first = read(&text(&was)).document;
+        let second = read(&text(&first)).document;
+        let third = read(&text(&second)).document;
+        [first, second, third]
+    };
+    let same = trips(marked);
+    assert_eq!(same.each_ref().map(count), [count(&was); 3]);
+    assert!(!same[2].info.object.is_empty());
+    let grown = trips(unmarked);
+    let counts = grown.each_ref().map(count);
+    // The world, the wireframe, a second one of the sign and of the camera.
+    assert_eq!(counts[0], count(&was) + 5);
+    assert!(counts.is_sorted_by(|a, b| a < b), "{counts:?}");
+    assert!(grown[0].info.object.is_empty());
+    let eye = &grown[0].scene.nodes()[grown[0].scene.find("eye").unwrap()];
+    assert_eq!(eye.kind, Kind::Group);
+}

@@ -255,7 +255,10 @@ fn a_track_of_supersplat_gives_the_flight_back() {
 fn metadata_of_record3d_are_poses() {
     let all = include_str!("../../../../tests/corpus/formats/record3d/metadata.json");
     let early = include_str!("../../../../tests/corpus/formats/record3d/early.json");
+    // An empty list is none: the camera of all counts.
+    let empty = early.replace("\"K\"", "\"perFrameIntrinsicCoeffs\": [], \"K\"");
     for (text, times, second, told) in [
+        (empty.as_str(), None, 20.0, vec![]),
         (all, Some(vec![0.0, 0.5]), 24.0, vec![Loss::OffCentre(1)]),
         (early, None, 20.0, vec![]),
     ] {

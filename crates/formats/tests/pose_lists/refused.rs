@@ -407,7 +407,7 @@ fn what_is_wrong_in_metadata_of_record3d_is_one_sentence_with_its_place() {
         ),
         (
             &format!("{{{pose}, \"frameTimestamps\": [0]}}"),
-            "frameTimestamps: expected 2 numbers, found 1",
+            "frameTimestamps: expected one for each of 2 poses, found 1",
         ),
         (
             &format!("{{{pose}, \"frameTimestamps\": [1, 1]}}"),
@@ -415,7 +415,7 @@ fn what_is_wrong_in_metadata_of_record3d_is_one_sentence_with_its_place() {
         ),
         (
             &format!("{{{pose}, \"perFrameIntrinsicCoeffs\": [[1, 1, 1, 1]]}}"),
-            "perFrameIntrinsicCoeffs: there is no number 1: there are 1",
+            "perFrameIntrinsicCoeffs: expected one for each of 2 poses, found 1",
         ),
         (
             &format!("{{{pose}, \"K\": [0, 0, 0, 0, 0, 0, 0, 0, 1]}}"),
