@@ -60,7 +60,10 @@ fn declare(tool: &Tool) -> Command {
         _ => with_extras(command, tool),
     };
     // What groups of options say of themselves is not what the tool does.
-    Output::augment_args(command).about(sentence(tool.does))
+    Output::augment_args(command).about(match tool.is_move() && tool.name != "pan" {
+        true => format!("Flies {}", tool.does),
+        false => sentence(tool.does),
+    })
 }
 
 const DEFORMATIONS: [&str; 5] = ["taper", "bulge", "twist", "bend", "free-form"];
