@@ -39,7 +39,7 @@ class Cells:
         text = subprocess.run([self.vides, "sample", file, "--format", "csv"], check=True,
                               capture_output=True, text=True).stdout
         lines = (line for line in io.StringIO(text) if not line.startswith("#"))
-        rows = [list(map(float, row[-10:])) for row in list(csv.reader(lines))[1:]]
+        rows = [list(map(float, row[1:11])) for row in list(csv.reader(lines))[1:]]
         return [(row[:3], row[3:6]) for row in rows]
 
     def add(self, name, after, before=None, dots=()):
