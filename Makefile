@@ -22,7 +22,7 @@
 #   make reference   pages of the C interface, target/reference: HTML and section 3
 #   make gallery     eight flights with pictures and pages that play them, target/gallery
 #   make site        the documents as pages, with gallery and C reference, target/site
-#   make completions rewrites the shell completions, completions/
+#   make completions rewrites completions/, docs/reference/command.md and the commands in man/vides.1
 #   make clean
 #
 # Each target installs by itself what it misses (mk/need.sh).

@@ -243,7 +243,7 @@ fn planners(
             }
             "steady" => {
                 let request = SteadyRequest {
-                    seconds: 1.0,
+                    period: 1.0,
                     within: 0.0,
                     fps: FPS,
                 };

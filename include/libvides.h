@@ -2699,14 +2699,14 @@ int v_path_retime(V_PATH *path,
  * Names, targets and modes are discarded; a closed path becomes open. v_last_warning()
  * returns how far the path moved.
  *
- * seconds  cut-off period: motion of this period is halved, faster motion is removed;
+ * period  cut-off period: motion of this period is halved, faster motion is removed;
  *     > 0 and at most 2,000 frames
  * within  maximum distance any position may move; 0: no limit
  * V_ERR_ARGUMENT (a path that does not move, no path within the limit), V_ERR_RANGE,
  * V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED.
  */
 int v_path_steady(V_PATH *path,
-                  double seconds,
+                  double period,
                   double within);
 
 /**

@@ -180,7 +180,7 @@ def main(vides, folder):
         *(place := (-2500 + 5000 * u, -2500 + 5000 * v)), height(*place)], around=False))
     gallery.flight(
         "orbit", "Orbit an object", "One turn around the object, at a height of your choice.",
-        "move orbit --object knot.obj --height 2 --seconds 12 -o orbit.vid")
+        "orbit --object knot.obj --height 2 --seconds 12 -o orbit.vid")
     gallery.flight(
         "tour", "A tour by itself", "VIDES finds views that show the whole surface and a short round through them.",
         "tour knot.obj --seconds 30 -o tour.vid")
@@ -192,15 +192,15 @@ def main(vides, folder):
         "avoid rooms.vid --clearance 0.3 -o clear.vid", "retime clear.vid --seconds 20 -o house.vid")
     gallery.flight(
         "dolly_zoom", "Dolly zoom", "The camera comes closer and zooms out; the object keeps its size.",
-        "move dolly-zoom --object knot.obj --seconds 6 -o dolly_zoom.vid")
+        "dolly-zoom --object knot.obj --seconds 6 -o dolly_zoom.vid")
     recording(at / "recording.txt")
     gallery.flight(
         "recorded", "A recording, cleaned", "A handheld recording of 400 poses, stabilised: few points, easy to edit.",
         "fit recording.txt --tolerance 0.02 --object knot.obj -o fitted.vid",
-        "steady fitted.vid --seconds 2 -o recorded.vid")
+        "steady fitted.vid --period 2 -o recorded.vid")
     gallery.flight(
         "molecule", "A molecule", "A spiral around caffeine, zoomed so that the molecule fills the picture.",
-        "move spiral --object caffeine.obj --turns 1.5 --seconds 15 -o spiral.vid",
+        "spiral --object caffeine.obj --turns 1.5 --seconds 15 -o spiral.vid",
         "picture spiral.vid -o molecule.vid")
     track = [(-2200, -300), (-1200, 150), (-200, -150), (800, 200), (1800, -50)]
     over = [(x, y, height(x, y) + 260) for x, y in track]

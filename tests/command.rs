@@ -1,5 +1,4 @@
-//! The command `vides` as a shell sees it: what it writes where, its exit
-//! statuses, and its manual page.
+//! The command `vides` as a shell sees it: what it writes where, its exit statuses.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -323,7 +322,7 @@ fn info_says_what_changes_and_by_how_much() {
     );
 }
 
-// ---- Help, version, manual ------------------------------------------------------------
+// ---- Help and version ------------------------------------------------------------
 
 #[test]
 fn version_and_help_go_to_standard_output() {
@@ -344,70 +343,54 @@ fn version_and_help_go_to_standard_output() {
         );
     }
     let help = said(&run(&["--help"]));
-    assert!(help.contains("sample") && help.contains("info") && help.contains("edit"));
+    let headings = [
+        "Make a path:",
+        "Change a path:",
+        "Time:",
+        "Look and check:",
+        "Convert:",
+    ];
+    let places = headings.map(|heading| help.find(heading).expect(heading));
+    assert!(places.is_sorted(), "{help}");
+    // Each subcommand once, with an example of its own in its help.
+    let rows = help.lines().filter_map(|line| line.strip_prefix("  "));
+    let rows = rows.filter(|row| !row.starts_with(' '));
+    let names = rows.filter_map(|row| row.split_whitespace().next());
+    let names: Vec<_> = names.filter(|name| !name.starts_with('-')).collect();
+    assert_eq!(names.len(), 38, "{names:?}");
+    for name in names {
+        let help = said(&run(&[name, "--help"]));
+        assert_eq!(
+            help.matches(&format!("Example: vides {name} ")).count(),
+            1,
+            "{help}"
+        );
+        assert!(
+            help.lines().all(|line| line.chars().count() <= 80),
+            "{help}"
+        );
+    }
 }
 
-/// The options that a text mentions: `-o`, `--output`.
-fn options(text: &str) -> BTreeSet<String> {
-    text.split(|c: char| !(c.is_ascii_alphanumeric() || c == '-'))
-        .filter(|word| {
-            let name = word.trim_start_matches('-');
-            let dashes = word.len() - name.len();
-            (dashes == 1 && name.len() == 1) || (dashes == 2 && name.len() > 1)
-        })
-        .filter(|word| word.ends_with(|c: char| c.is_ascii_alphabetic()))
-        .map(str::to_owned)
-        .collect()
-}
-
+/// `vides FILE` opens a path or a mesh: here without a display to open it on.
 #[test]
-fn the_manual_page_knows_every_option_and_no_other() {
-    let mut text = said(&run(&["--help"]));
-    let (_, commands) = text.split_once("Commands:\n").unwrap();
-    let (commands, _) = commands.split_once("Options:\n").unwrap();
-    // What goes on on another line is indented further.
-    let commands = commands.lines().filter_map(|line| line.strip_prefix("  "));
-    let commands = commands.filter(|line| !line.starts_with(' '));
-    let mut commands: Vec<_> = commands
-        .filter_map(|line| Some(line.split_whitespace().next()?.to_owned()))
-        .collect();
-    assert!(commands.len() >= 23, "{commands:?}");
-    for command in &commands {
-        text += &said(&run(&[command, "--help"]));
+fn a_file_alone_is_one_to_edit() {
+    let folder = tempfile::tempdir().unwrap();
+    let [mesh, other] = ["mesh.obj", "other.txt"].map(|name| folder.path().join(name));
+    fs::write(&mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
+    let alone = |arguments: &[&str]| {
+        let mut command = vides(arguments);
+        command.env("DISPLAY", ":no").output().unwrap()
+    };
+    let mesh = mesh.to_str().unwrap();
+    let wanted = sentence(&alone(&["edit", "--object", mesh]), 1);
+    assert!(wanted.contains("display"), "{wanted}");
+    for arguments in [&[mesh][..], &["edit", mesh], &[PYRAMID]] {
+        assert_eq!(sentence(&alone(arguments), 1), wanted, "{arguments:?}");
     }
-    for known in vides::tools::moves::MOVES {
-        text += &said(&run(&["move", known.name, "--help"]));
-    }
-    let page = fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/man/vides.1")).unwrap();
-    // Without roff's changes of font and its way to write a minus sign.
-    let page = page
-        .replace("\\fR", " ")
-        .replace("\\fP", " ")
-        .replace("\\-", "-");
-    let from_help = options(&text);
-    assert!(from_help.len() >= 10, "{from_help:?}");
-    assert_eq!(options(&page), from_help);
-    let titles: Vec<_> = page
-        .lines()
-        .filter(|line| line.starts_with(".SS "))
-        .collect();
-    for command in &commands {
-        let title = format!("vides {command}");
-        let named = |line: &&str| line[4..].split(", ").any(|name| name == title);
-        assert!(titles.iter().any(named), "{command}: {titles:?}");
-    }
-    // The synopsis names each command once: alone, or within braces.
-    let (_, synopsis) = page.split_once(".SH SYNOPSIS\n").unwrap();
-    let (synopsis, _) = synopsis.split_once(".SH DESCRIPTION\n").unwrap();
-    let mut shown = Vec::new();
-    for line in synopsis.lines() {
-        if let Some(command) = line.strip_prefix(".B vides ") {
-            shown.push(command);
-        } else if let Some(several) = line.strip_prefix(".BR vides \" {\" ") {
-            shown.extend(several.trim_end_matches(" }").split(" | "));
-        }
-    }
-    shown.sort_unstable();
-    commands.sort_unstable();
-    assert_eq!(shown, commands);
+    // No file, and no name of one.
+    complaint(&alone(&[other.to_str().unwrap()]), 2);
+    complaint(&alone(&["tours"]), 2);
+    let gone = sentence(&alone(&["gone.obj"]), 1);
+    assert!(gone.contains("gone.obj: No such file"), "{gone}");
 }

@@ -174,7 +174,7 @@ pub(crate) fn steadied(
     go_on: Progress<'_>,
 ) -> Planned<(f64, f64)> {
     let request = SteadyRequest {
-        seconds,
+        period: seconds,
         within,
         fps: document.info().fps,
     };

@@ -8,7 +8,7 @@ use vides::document::{Document, Edit, Note, may_replace};
 use vides::tools::check::{Finding, FindingKind, Limits, OFF};
 
 use super::failure::{Failure, complain, json as json_text, lines, print};
-use super::input;
+use super::input::{self, ObjectOption};
 use super::output::{is_standard_output, write_document};
 use super::progress::progress;
 use super::table::{Align, Table};
@@ -18,13 +18,10 @@ pub(super) struct Arguments {
     /// The path, or a scene, for its shown camera; - is standard input
     #[arg(value_name = "FILE.vid")]
     file: PathBuf,
-    /// Replaces the path's object: a mesh (.obj, .ply, .stl, .gltf, .glb)
-    /// or the object of a .vid file
-    #[arg(long, value_name = "FILE")]
-    object: Option<PathBuf>,
-    /// Overrides a limit of the file, as in turning=90; turning=off disables that check
-    #[arg(long, value_name = "KIND=LIMIT", value_parser = limit)]
-    limit: Vec<(FindingKind, f64)>,
+    #[command(flatten)]
+    object: ObjectOption,
+    #[command(flatten)]
+    limits: LimitOption,
     /// Applies fixes while they help, writes the path to --output, and reports what
     /// was fixed and what remains
     #[arg(long, requires = "output")]
@@ -37,8 +34,25 @@ pub(super) struct Arguments {
     json: bool,
 }
 
+/// Limits instead of those of the file.
+#[derive(Args)]
+pub(super) struct LimitOption {
+    /// Overrides a limit of the file, as in turning=90; turning=off removes it
+    #[arg(long, value_name = "KIND=LIMIT", value_parser = limit)]
+    limit: Vec<(FindingKind, f64)>,
+}
+
+impl LimitOption {
+    pub(super) fn over(&self, mut limits: Limits) -> Result<Limits, Failure> {
+        for (kind, limit) in &self.limit {
+            limits.set(*kind, *limit)?;
+        }
+        Ok(limits)
+    }
+}
+
 /// A kind and its limit, as `turning=90`.
-pub(super) fn limit(text: &str) -> Result<(FindingKind, f64), String> {
+fn limit(text: &str) -> Result<(FindingKind, f64), String> {
     let (kind, limit) = text
         .split_once('=')
         .ok_or("a limit is given as KIND=LIMIT")?;
@@ -56,12 +70,9 @@ pub(super) fn limit(text: &str) -> Result<(FindingKind, f64), String> {
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let mut document = input::load_shown(&arguments.file)?.without_history();
-    let object = arguments.object.as_deref().map(input::object).transpose()?;
-    let object = object.map(|object| object.to_mesh()).transpose()?;
+    let object = arguments.object.mesh()?;
     let mut info = document.info().clone();
-    for (kind, limit) in &arguments.limit {
-        info.limits.set(*kind, *limit)?;
-    }
+    info.limits = arguments.limits.over(info.limits)?;
     document.apply(Edit::SetInfo(Box::new(info)))?;
     let at_file = |error: vides::Error| Failure::from(error.at(input::name(&arguments.file)));
     let clearance = document.clearance(object.as_ref()).map_err(at_file)?;

@@ -2,34 +2,28 @@
 
 use std::path::PathBuf;
 
-use clap::Args;
+use clap::{Args, Command};
 use vides::document::{Document, Info};
 use vides::formats::{self, Recording, Report};
 use vides::path::{Space, Up};
-use vides::tools::fit::{Options, Tolerance, fit, fit_points};
+use vides::tools::fit::{self, Tolerance, fit, fit_points};
 
+use super::call::Call;
 use super::failure::{Failure, complain, one_line};
+use super::given::exactly;
 use super::input;
-use super::moves::{numbers, up};
-use super::output::Output;
+use super::moves::up;
 use super::progress::progress;
 
+/// What it reads.
+pub(super) const INPUT: &str = "The poses, as `vides sample` writes them: ten numbers per line, \
+     optionally with the frame number before and the seconds after (the frame gives the time, at \
+     --fps); - is standard input";
+
 #[derive(Args)]
-pub(super) struct Arguments {
-    /// The poses, as `vides sample` writes them: ten numbers per line, optionally with the
-    /// frame number before and the seconds after (the frame gives the time, at --fps);
-    /// - is standard input
-    #[arg(value_name = "POSES")]
-    file: PathBuf,
-    /// Maximum distance of a position from its pose [default: 1/1000 of the diagonal of the
-    /// bounds of the positions]
-    #[arg(long, value_name = "LENGTH")]
-    tolerance: Option<f64>,
-    /// Maximum deviation of view, up and field of view, in degrees [default: 0.5]
-    #[arg(long, value_name = "DEGREES")]
-    angle: Option<f64>,
+struct Options {
     /// At most so many points, with the least tolerance that leads to them, in the ratio of
-    /// --tolerance to --angle
+    /// --tolerance to --angle; 2 or more
     #[arg(long, value_name = "NUMBER")]
     points: Option<usize>,
     /// Frames per second [default: the file's, else its poses per second, else 25]
@@ -44,25 +38,16 @@ pub(super) struct Arguments {
     up: Up,
     /// The space of the path: its centre and half its size [default: fits the positions,
     /// with a margin of a tenth]
-    #[arg(long, value_name = "X,Y,Z,HALF", value_parser = cube, allow_hyphen_values = true)]
-    space: Option<Space>,
-    /// Ignores outliers: poses that differ from their neighbours by more than the
-    /// tolerance; reports how many
-    #[arg(long)]
-    robust: bool,
-    #[command(flatten)]
-    output: Output,
+    #[arg(long, value_name = "X,Y,Z,HALF", value_parser = exactly::<4>, allow_hyphen_values = true)]
+    space: Option<[f64; 4]>,
 }
 
-/// A centre and half a size.
-fn cube(text: &str) -> Result<Space, String> {
-    let &[x, y, z, half_size] = numbers(text)?.as_slice() else {
-        return Err("four numbers with commas between are wanted".to_owned());
-    };
-    Ok(Space {
-        centre: [x, y, z].into(),
-        half_size,
-        ..Space::default()
+pub(super) fn declare(command: Command) -> Command {
+    Options::augment_args(command).mut_arg("tolerance", |arg| {
+        arg.help(
+            "Maximum distance of a position from its pose; greater than 0 [default: 1/1000 of the \
+             diagonal of the bounds of the positions]",
+        )
     })
 }
 
@@ -110,11 +95,12 @@ fn told(left_out: &[usize], all: usize, frames: Option<&[f64]>) -> String {
 /// The maximum number of ignored poses that a message lists.
 const LISTED: usize = 50;
 
-pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let name = input::name(&arguments.file);
+pub(super) fn run(call: &Call) -> Result<(), Failure> {
+    let arguments: Options = call.more()?;
+    let name = input::name(call.file());
     let object = arguments.object.as_deref().map(input::object).transpose()?;
     let mut report = Report::default();
-    let source = input::source(&arguments.file)?;
+    let source = input::source(call.file())?;
     let recording = formats::recording(&source, None, &formats::Options::default(), &mut report)?;
     for loss in report.losses() {
         complain(&one_line(&format!("{name}: {loss}")));
@@ -129,17 +115,19 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let by_frames = |frames: &Vec<f64>| frames.iter().map(|frame| frame / fps).collect();
     let times: Option<Vec<f64>> = frames.as_ref().map(by_frames).or_else(|| seconds.clone());
     let usual = Tolerance::usual(&poses);
-    let options = Options {
+    let robust = call.number("robust") != 0.0;
+    let options = fit::Options {
         tolerance: Tolerance {
-            position: arguments.tolerance.unwrap_or(usual.position),
-            angle: arguments.angle.unwrap_or(usual.angle),
+            position: call.given.number("tolerance").unwrap_or(usual.position),
+            angle: call.given.number("angle").unwrap_or(usual.angle),
         },
-        space: arguments.space.map(|space| Space {
+        space: arguments.space.map(|[x, y, z, half_size]| Space {
+            centre: [x, y, z].into(),
+            half_size,
             up: arguments.up,
-            ..space
         }),
         up: arguments.up,
-        robust: arguments.robust,
+        robust,
     };
     let times = times.as_deref();
     let go_on = &mut progress("poses");
@@ -161,9 +149,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     for line in fitted.report.to_string().lines() {
         complain(&format!("{name}: {line}"));
     }
-    if arguments.robust {
+    if robust {
         complain(&told(&fitted.left_out, poses.len(), frames.as_deref()));
     }
     let document = Document::from_parts(fitted.path, info)?;
-    arguments.output.write(&document)
+    call.output.write(&document)
 }

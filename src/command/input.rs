@@ -3,15 +3,37 @@
 use std::fs::{self, File, Metadata};
 use std::io::{self, Read};
 use std::os::unix::fs::FileTypeExt;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
+use clap::Args;
 use vides::document::mesh::Format;
 use vides::document::{Document, Object, SceneDocument, inside, load_object, note_input};
 use vides::error::reason;
 use vides::formats::{Source, formats};
 use vides::limits::MAX_FILE_BYTES;
+use vides::scene::Mesh;
 
 use super::failure::{Failure, complain, one_line};
+
+/// An object instead of the path's own.
+#[derive(Args)]
+pub(super) struct ObjectOption {
+    /// Replaces the path's object: a mesh (.obj, .ply, .stl, .gltf, .glb)
+    /// or the object of a .vid file
+    #[arg(long, value_name = "FILE")]
+    object: Option<PathBuf>,
+}
+
+impl ObjectOption {
+    pub(super) fn load(&self) -> Result<Option<Object>, Failure> {
+        self.object.as_deref().map(object).transpose()
+    }
+
+    pub(super) fn mesh(&self) -> Result<Option<Mesh>, Failure> {
+        let object = self.load()?;
+        Ok(object.map(|object| object.to_mesh()).transpose()?)
+    }
+}
 
 pub(super) fn load(file: &Path) -> Result<Document, Failure> {
     match stream(file)? {

@@ -5,13 +5,14 @@
 //! read or written; 2 bad usage; 3 a check found something.
 
 mod avoid;
+mod call;
 mod check;
-#[cfg(test)]
-mod completions_tests;
 mod convert;
 mod edit;
 mod failure;
 mod fit;
+mod given;
+mod groups;
 mod info;
 mod info_json;
 mod info_parts;
@@ -22,6 +23,8 @@ mod picture;
 mod plot;
 mod progress;
 mod properties;
+#[cfg(test)]
+mod reference_tests;
 mod retime;
 mod sample;
 mod scene;
@@ -31,11 +34,12 @@ mod table;
 mod tools;
 mod tour;
 
+use std::ffi::OsString;
 use std::io::{self, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand};
+use clap::{FromArgMatches, Parser, Subcommand};
 use vides::document::{protect_inputs, trusting};
 
 use self::failure::{Failure, complain, one_line, print};
@@ -46,13 +50,14 @@ use self::failure::{Failure, complain, one_line, print};
     name = "vides",
     version,
     arg_required_else_help = true,
+    override_usage = "vides [OPTIONS] COMMAND\n       vides FILE",
     disable_help_subcommand = true,
     max_term_width = 80,
     after_help = "Exit status: 0 done, 1 bad input, 2 bad usage, 3 findings of a check."
 )]
 struct Cli {
     /// Also reads meshes and buffers that an input file names outside its folder
-    #[arg(long, global = true)]
+    #[arg(long, global = true, display_order = 900)]
     trust: bool,
     #[command(subcommand)]
     command: Command,
@@ -62,20 +67,20 @@ struct Cli {
 enum Command {
     /// Opens the editor window
     Edit {
-        /// The path; a file that does not exist is created on saving
-        #[arg(value_name = "FILE.vid")]
+        /// The path, or a mesh or point cloud (.obj, .ply, .stl, .gltf, .glb) for a new path around
+        /// it; a path that does not exist is created on saving
+        #[arg(value_name = "FILE")]
         file: Option<PathBuf>,
 
-        /// A mesh or point cloud (.obj, .ply, .stl, .gltf, .glb) to show as the object;
-        /// a new path gets a space that fits it
+        /// A mesh or point cloud to show as the object of a path; a new path gets a space around it
         #[arg(long, value_name = "MESH")]
         object: Option<PathBuf>,
     },
     /// Writes every camera pose of a path
     Sample(sample::Arguments),
-    /// Converts a path or scene to or from the format of another program
+    /// Converts to or from the format of another program
     Convert(convert::Arguments),
-    /// Shows the points, sections, lengths, frames and seconds of a path, or the nodes of a scene
+    /// Shows the sections and frames of a path, or the nodes of a scene
     Info {
         /// The path; - is standard input
         #[arg(value_name = "FILE.vid")]
@@ -88,30 +93,33 @@ enum Command {
     Get(properties::Get),
     /// Sets properties of a path by name
     Set(properties::Set),
-    /// Fits a path with few points to recorded poses
-    Fit(fit::Arguments),
     /// Finds what will look wrong: jerks, flips, collisions
     Check(check::Arguments),
     /// Draws a path, its views, and charts over its frames
     Plot(plot::Arguments),
-    /// Sets the speed along a path within limits
-    Retime(retime::Arguments),
-    /// Stabilises a recorded flight
-    Steady(steady::Arguments),
-    /// Moves a path away from an object
-    Avoid(avoid::Arguments),
-    /// Keeps an object in the picture, as large as a margin allows
-    Picture(picture::Arguments),
-    /// Plans a flight around an object
-    Tour(tour::Arguments),
-    /// Makes a path from a standard camera move
-    Move(moves::Arguments),
     #[command(flatten)]
-    Tool(tools::Tool),
+    Tool(call::Call),
+}
+
+/// The arguments; a file alone is one to edit.
+fn arguments() -> Vec<OsString> {
+    let mut arguments: Vec<_> = std::env::args_os().collect();
+    if let [_, file] = &arguments[..]
+        && (Path::new(file).is_file() || has_known_ending(Path::new(file)))
+    {
+        arguments.insert(1, "edit".into());
+    }
+    arguments
+}
+
+/// Whether a name is that of a path or a mesh, there or not.
+fn has_known_ending(file: &Path) -> bool {
+    !input::is_path(file) || file.extension().is_some_and(|ending| ending == "vid")
 }
 
 pub(crate) fn run() -> ExitCode {
-    let cli = match Cli::try_parse() {
+    let matches = groups::command().try_get_matches_from(arguments());
+    let cli = match matches.and_then(|matches| Cli::from_arg_matches(&matches)) {
         Ok(cli) => cli,
         Err(error) if error.use_stderr() => return complain_of_usage(&error),
         // --help and --version
@@ -138,16 +146,9 @@ impl Command {
             Self::Info { file, json } => info::run(&file, json),
             Self::Get(arguments) => properties::get(&arguments),
             Self::Set(arguments) => properties::set(&arguments),
-            Self::Fit(arguments) => fit::run(&arguments),
             Self::Check(arguments) => check::run(&arguments),
             Self::Plot(arguments) => plot::run(&arguments),
-            Self::Retime(arguments) => retime::run(&arguments),
-            Self::Steady(arguments) => steady::run(&arguments),
-            Self::Avoid(arguments) => avoid::run(&arguments),
-            Self::Picture(arguments) => picture::run(&arguments),
-            Self::Tour(arguments) => tour::run(&arguments),
-            Self::Move(arguments) => moves::run(&arguments),
-            Self::Tool(tool) => tools::run(&tool),
+            Self::Tool(call) => tools::run(&call),
         }
     }
 }
@@ -176,12 +177,10 @@ fn complain_of_usage(error: &clap::Error) -> ExitCode {
 
 #[cfg(test)]
 mod tests {
-    use clap::CommandFactory;
-
     use super::*;
 
     #[test]
     fn the_arguments_are_declared_soundly() {
-        Cli::command().debug_assert();
+        groups::command().debug_assert();
     }
 }

@@ -1,38 +1,32 @@
-//! `vides move`: a path by a ready-made move. Its options are the engine's table.
+//! The camera moves: each makes a path.
 
 use std::path::PathBuf;
 
+use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use clap::error::ErrorKind;
-use clap::{Arg, ArgMatches, Args, Command, FromArgMatches};
 use vides::deform::Bounds;
+use vides::document::tool::Tool;
 use vides::document::{Document, Info};
 use vides::path::{Space, Up};
+use vides::tools::Parameter;
 use vides::tools::moves::{MOVES, Move};
-use vides::tools::{Parameter, Unit};
 
+use super::call::Call;
 use super::failure::Failure;
 use super::input;
-use super::output::Output;
 
-pub(super) struct Arguments {
-    chosen: &'static Move,
-    /// The numbers given, by parameter index.
-    given: Vec<(usize, Vec<f64>)>,
+#[derive(Args)]
+pub(super) struct Options {
+    /// Frames per second
+    #[arg(long, value_name = "NUMBER", default_value_t = 25.0)]
     fps: f64,
+    /// The up axis [default: that of --object, else y]
+    #[arg(long, value_name = "AXIS", value_parser = up())]
     up: Option<Up>,
+    /// Fits the defaults to this object: a mesh (.obj, .ply, .stl, .gltf, .glb) with a space
+    /// around it, or that of a .vid file in its space
+    #[arg(long, value_name = "FILE")]
     object: Option<PathBuf>,
-    output: PathBuf,
-}
-
-/// Numbers separated by commas.
-pub(super) fn numbers(text: &str) -> Result<Vec<f64>, String> {
-    text.split(',')
-        .map(|number| match number.trim().parse::<f64>() {
-            Ok(number) if number.is_finite() => Ok(number),
-            _ => Err(format!("\"{number}\" is not a number")),
-        })
-        .collect()
 }
 
 /// An up axis.
@@ -41,157 +35,50 @@ pub(super) fn up() -> impl TypedValueParser<Value = Up> {
         .map(|name| if name == Up::Z.name() { Up::Z } else { Up::Y })
 }
 
-fn option(parameter: &'static Parameter) -> Arg {
-    let value = match parameter.unit {
-        _ if parameter.width == 3 => "X,Y,Z",
-        Unit::One | Unit::Length | Unit::Count | Unit::Choice(_) | Unit::Switch | Unit::Lattice => {
-            "NUMBER"
-        }
-        Unit::Degrees => "DEGREES",
-        Unit::Zoom => "MM",
-        Unit::Seconds => "SECONDS",
-    };
-    let default = [parameter.default.to_string()];
-    let default = default.iter().cycle().take(parameter.width);
-    let default = default.cloned().collect::<Vec<_>>().join(",");
-    let mut does = parameter.does.to_owned();
-    does[..1].make_ascii_uppercase();
-    Arg::new(parameter.name)
-        .long(parameter.name)
-        .value_name(value)
-        .value_parser(numbers)
-        .allow_negative_numbers(true)
-        .allow_hyphen_values(true)
-        .help(format!("{does} [default: {default}]"))
+fn named(name: &str) -> Option<&'static Move> {
+    MOVES.iter().find(|known| known.name == name)
 }
 
-impl Args for Arguments {
-    fn augment_args(command: Command) -> Command {
-        let moves = MOVES.iter().map(|known| {
-            let mut does = known.does.to_owned();
-            does[..1].make_ascii_uppercase();
-            Command::new(known.name)
-                .about(does)
-                .args(known.parameters.iter().map(option))
-                .arg(
-                    Arg::new("fps")
-                        .long("fps")
-                        .value_name("NUMBER")
-                        .value_parser(clap::value_parser!(f64))
-                        .help("Frames in a second [default: 25]"),
-                )
-                .arg(
-                    Arg::new("up")
-                        .long("up")
-                        .value_name("AXIS")
-                        .value_parser(up())
-                        .help("Which axis is up [default: that of --object, else y]"),
-                )
-                .arg(
-                    Arg::new("object")
-                        .long("object")
-                        .value_name("FILE")
-                        .value_parser(clap::value_parser!(PathBuf))
-                        .help(
-                            "Goes round this object: a mesh (.obj, .ply, .stl, .gltf, .glb) with \
-                             a space around it, or that of a .vid file in its space",
-                        ),
-                )
-                .arg(
-                    Arg::new("output")
-                        .short('o')
-                        .long("output")
-                        .value_name("OUT.vid")
-                        .value_parser(clap::value_parser!(PathBuf))
-                        .help("Where the path goes; - is standard output [default: -]"),
-                )
-        });
-        command
-            .subcommand_required(true)
-            .arg_required_else_help(true)
-            .disable_help_subcommand(true)
-            .subcommands(moves)
-    }
-
-    fn augment_args_for_update(command: Command) -> Command {
-        Self::augment_args(command)
+/// The parameters of a tool for the command: a move always makes a new path.
+pub(super) fn parameters(tool: &Tool) -> Box<dyn Iterator<Item = &'static Parameter>> {
+    match named(tool.name).filter(|_| tool.is_move()) {
+        Some(known) => Box::new(known.parameters.iter()),
+        None => Box::new(tool.parameters()),
     }
 }
 
-impl FromArgMatches for Arguments {
-    fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
-        let found = matches.subcommand().and_then(|(name, matches)| {
-            let chosen = MOVES.iter().find(|known| known.name == name)?;
-            Some((chosen, matches))
-        });
-        let Some((chosen, matches)) = found else {
-            return Err(clap::Error::new(ErrorKind::MissingSubcommand));
-        };
-        let mut given = Vec::new();
-        for (at, parameter) in chosen.parameters.iter().enumerate() {
-            let Some(numbers) = matches.get_one::<Vec<f64>>(parameter.name) else {
-                continue;
-            };
-            if numbers.len() != parameter.width {
-                return Err(clap::Error::raw(
-                    ErrorKind::ValueValidation,
-                    format!(
-                        "--{} takes {} numbers with commas between\n",
-                        parameter.name, parameter.width
-                    ),
-                ));
-            }
-            given.push((at, numbers.clone()));
-        }
-        let path = |name: &str| matches.get_one::<PathBuf>(name).cloned();
-        Ok(Self {
-            chosen,
-            given,
-            fps: matches.get_one("fps").copied().unwrap_or(25.0),
-            up: matches.get_one("up").copied(),
-            object: path("object"),
-            output: path("output").unwrap_or_else(|| PathBuf::from("-")),
-        })
-    }
-
-    fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), clap::Error> {
-        *self = Self::from_arg_matches(matches)?;
-        Ok(())
-    }
-}
-
-pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
+pub(super) fn run(call: &Call) -> Result<(), Failure> {
+    let options: Options = call.more()?;
+    let chosen = named(call.tool.name).expect("a move");
     let mut space = Space::default();
     let mut info = Info {
-        fps: arguments.fps,
+        fps: options.fps,
         ..Info::default()
     };
     let mut bounds = None;
-    if let Some(file) = &arguments.object {
+    if let Some(file) = &options.object {
         let (path, of_file) = input::around(file)?.into_parts();
         space = path.space;
         (info.unit, info.object) = (of_file.unit, of_file.object);
         let places: Vec<_> = info.object.iter().map(|point| point.position).collect();
         bounds = (!places.is_empty()).then(|| Bounds::of(&places));
     }
-    space.up = arguments.up.unwrap_or(space.up);
+    space.up = options.up.unwrap_or(space.up);
     // Moves use the frame rate: check it first.
     info.check(space)?;
-    let mut numbers = arguments.chosen.defaults(bounds.as_ref(), space)?;
-    let parameters = arguments.chosen.parameters;
-    for (at, given) in &arguments.given {
-        let start = Parameter::count(&parameters[..*at]);
-        numbers[start..start + given.len()].copy_from_slice(given);
-    }
+    let mut numbers = chosen.defaults(bounds.as_ref(), space)?;
+    call.given.replace(&mut numbers, |name| {
+        Parameter::find(chosen.parameters, name).map(|(at, _)| at)
+    });
     let make = |space| {
-        let path = arguments.chosen.path(&numbers, space, arguments.fps)?;
+        let path = chosen.path(&numbers, space, options.fps)?;
         Ok::<_, Failure>(Document::from_parts(path, info.clone())?)
     };
     let mut document = make(space)?;
     // Only the space of a file was chosen by somebody.
-    let of_file = arguments.object.as_deref().is_some_and(input::is_path);
+    let of_file = options.object.as_deref().is_some_and(input::is_path);
     if !of_file && document.points_outside() > 0 {
         document = make(document.space_around_all()?)?;
     }
-    Output::to(arguments.output.clone()).write(&document)
+    call.output.write(&document)
 }

@@ -81,12 +81,8 @@ impl Output {
         write_document(&self.output, document)
     }
 
-    /// Applies an edit to a file's path and writes the result.
-    pub(super) fn edited(&self, file: &Path, edit: Edit) -> Result<(), Failure> {
-        self.applied(input::load(file)?, file, edit)
-    }
-
-    /// The same of a document that was read from the file, which may be edited in place.
+    /// Applies an edit to a document that was read from the file, which may be edited in place, and
+    /// writes the result.
     pub(super) fn applied(
         &self,
         document: Document,

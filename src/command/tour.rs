@@ -1,48 +1,21 @@
 //! `vides tour`: a flight that shows an object.
 
-use std::path::PathBuf;
-
 use clap::Args;
 use vides::document::{Document, Info};
 use vides::path::Up;
 use vides::planner::{TourRequest, tour};
 
+use super::call::Call;
 use super::failure::{Failure, complain};
+use super::given::exactly;
 use super::input;
-use super::moves::{numbers, up};
-use super::output::Output;
+use super::moves::up;
 use super::progress::progress;
 
 #[derive(Args)]
-pub(super) struct Arguments {
-    /// The object: a mesh (.obj, .ply, .stl, .gltf, .glb), or the object of a .vid file
-    #[arg(value_name = "OBJECT")]
-    object: PathBuf,
-    /// Duration of the flight
-    #[arg(
-        long,
-        value_name = "SECONDS",
-        default_value_t = 60.0,
-        allow_negative_numbers = true
-    )]
-    seconds: f64,
-    /// Share of the visible surface, by area, to show
-    #[arg(
-        long,
-        value_name = "SHARE",
-        default_value_t = 0.95,
-        allow_negative_numbers = true
-    )]
-    coverage: f64,
-    /// Distance of the camera from what it shows [default: one that has the whole object in
-    /// the picture]
-    #[arg(long, value_name = "LENGTH", allow_negative_numbers = true)]
-    distance: Option<f64>,
-    /// Flies inside the object, not around it
-    #[arg(long)]
-    inside: bool,
+pub(super) struct Options {
     /// Where the flight begins [default: a closed round]
-    #[arg(long, value_name = "X,Y,Z", value_parser = place, allow_hyphen_values = true)]
+    #[arg(long, value_name = "X,Y,Z", value_parser = exactly::<3>, allow_hyphen_values = true)]
     start: Option<[f64; 3]>,
     /// The up axis
     #[arg(long, value_name = "AXIS", value_parser = up(), default_value = "y")]
@@ -50,42 +23,33 @@ pub(super) struct Arguments {
     /// Only the views that cover it, one per frame, for photographs; no flight
     #[arg(long, conflicts_with = "seconds")]
     stills: bool,
-    #[command(flatten)]
-    output: Output,
 }
 
-fn place(text: &str) -> Result<[f64; 3], String> {
-    let numbers = numbers(text)?;
-    <[f64; 3]>::try_from(numbers)
-        .map_err(|_| "three numbers with commas between are wanted".to_owned())
-}
-
-pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let name = input::name(&arguments.object);
-    let object = input::object(&arguments.object)?;
+pub(super) fn run(call: &Call) -> Result<(), Failure> {
+    let options: Options = call.more()?;
+    let name = input::name(call.file());
+    let object = input::object(call.file())?;
     let mesh = object.to_mesh()?;
     let info = Info {
         object,
         ..Info::default()
     };
     let request = TourRequest {
-        seconds: arguments.seconds,
-        coverage: arguments.coverage,
-        distance: arguments.distance.unwrap_or(0.0),
-        inside: arguments.inside,
-        start: arguments.start.map(Into::into),
-        up: arguments.up,
-        stills: arguments.stills,
+        seconds: call.number("seconds"),
+        coverage: call.number("coverage"),
+        distance: call.number("distance"),
+        inside: call.number("inside") != 0.0,
+        start: options.start.map(Into::into),
+        up: options.up,
+        stills: options.stills,
         limits: info.limits,
         fps: info.fps,
         space: None,
     };
-    let made = tour(&mesh, &request, &mut progress("pictures"))
-        .map_err(|error| vides::Error::from(error).at(name.clone()))?;
+    let made =
+        tour(&mesh, &request, &mut progress("pictures")).map_err(|error| call.at_file(error))?;
     for line in made.to_string().lines() {
         complain(&format!("{name}: {line}"));
     }
-    arguments
-        .output
-        .write(&Document::from_parts(made.path, info)?)
+    call.output.write(&Document::from_parts(made.path, info)?)
 }

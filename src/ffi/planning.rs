@@ -124,18 +124,18 @@ pub unsafe extern "C" fn v_path_retime(
 /// Names, targets and modes are discarded; a closed path becomes open. v_last_warning()
 /// returns how far the path moved.
 ///
-/// seconds  cut-off period: motion of this period is halved, faster motion is removed;
+/// period  cut-off period: motion of this period is halved, faster motion is removed;
 ///     > 0 and at most 2,000 frames
 /// within  maximum distance any position may move; 0: no limit
 /// V_ERR_ARGUMENT (a path that does not move, no path within the limit), V_ERR_RANGE,
 /// V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn v_path_steady(path: *mut V_PATH, seconds: f64, within: f64) -> c_int {
+pub unsafe extern "C" fn v_path_steady(path: *mut V_PATH, period: f64, within: f64) -> c_int {
     clear_last_warning();
     border(V_ERR_INTERNAL, || {
         edit_by(path, |document| {
             let request = SteadyRequest {
-                seconds,
+                period,
                 within,
                 fps: document.info().fps,
             };

@@ -9,13 +9,13 @@ use super::*;
 fn a_check_tells_by_its_exit_status() {
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();
-    let calm = written(folder, "calm.vid", &["move", "orbit", "--radius", "0.9"]);
+    let calm = written(folder, "calm.vid", &["orbit", "--radius", "0.9"]);
     assert_eq!(said(&run(&["check", &calm])), "");
     assert_eq!(said(&run(&["check", &calm, "--json"])), "[]\n");
     let fast = written(
         folder,
         "fast.vid",
-        &["move", "orbit", "--radius", "0.9", "--seconds", "3"],
+        &["orbit", "--radius", "0.9", "--seconds", "3"],
     );
     let output = run(&["check", &fast, "--json"]);
     assert_eq!(output.status.code(), Some(3));
@@ -69,7 +69,7 @@ fn a_check_looks_at_the_object_that_it_is_told() {
     );
     let plot = said(&run(&["plot", plain, "--object", wall]));
     assert!(plot.contains("leads through the object") && plot.contains("Clearance"));
-    let past = ["move", "flyby", "--object", wall];
+    let past = ["flyby", "--object", wall];
     assert!(written(folder, "past.vid", &past).ends_with("past.vid"));
     assert!(
         fs::read_to_string(folder.join("past.vid"))
@@ -102,7 +102,7 @@ fn a_note_is_no_finding() {
         format!("{corners}f 1 2 3\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"),
     )
     .unwrap();
-    let path = written(folder, "orbit.vid", &["move", "orbit", "--radius", "0.9"]);
+    let path = written(folder, "orbit.vid", &["orbit", "--radius", "0.9"]);
     let check = ["check", &path, "--object", room.to_str().unwrap()];
     let text = said(&run(&check));
     assert_eq!(
@@ -122,7 +122,7 @@ fn a_note_is_no_finding() {
 fn what_can_be_is_fixed() {
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();
-    let fast = ["move", "orbit", "--radius", "0.9", "--seconds", "3"];
+    let fast = ["orbit", "--radius", "0.9", "--seconds", "3"];
     let fast = written(folder, "fast.vid", &fast);
     let fixed = folder.join("fixed.vid");
     let fixed = fixed.to_str().unwrap();

@@ -75,9 +75,9 @@ fn no_input_is_overwritten() {
     // The path's own object, which it names.
     refuses(&["sample", &path, "-o", &mesh], &mesh);
     refuses(&["reverse", &path, "-o", &mesh], &mesh);
-    refuses(&["blend", &path, PYRAMID, "-o", &path], &path);
+    refuses(&["blend", PYRAMID, &path, "-o", &path], &path);
     refuses(&["insert", PYRAMID, &path, "-o", &path], &path);
-    refuses(&["move", "orbit", "--object", &mesh, "-o", &mesh], &mesh);
+    refuses(&["orbit", "--object", &mesh, "-o", &mesh], &mesh);
 }
 
 #[test]
@@ -344,7 +344,7 @@ fn the_longest_film_takes_no_memory_and_is_ended() {
     let film = "version = 1\n[[point]]\nposition = [0, 0, 0]\n[[point.orientation]]\n\
                 offset = [0, 0, -1]\nframes = 99999999\n[[point]]\nposition = [0.5, 0, 0]\n";
     let path = folder.put("film.vid", film);
-    let most = sentence(&run(&["steady", &path, "--seconds", "1"]), 1);
+    let most = sentence(&run(&["steady", &path, "--period", "1"]), 1);
     assert!(most.contains("at most 1000000 frames"), "{most}");
     for arguments in [&["check", &path][..], &["plot", &path]] {
         let mut child = in_a_terminal(arguments)

@@ -31,7 +31,6 @@ fn a_box_is_kept_in_the_picture() {
     let [orbit, made] = ["orbit.vid", "made.vid"].map(|name| folder.path().join(name));
     let [orbit, made] = [orbit, made].map(|file| file.to_str().unwrap().to_owned());
     let moved = run(&[
-        "move",
         "orbit",
         "--around",
         "0.6,0.3,0",
@@ -61,10 +60,10 @@ fn a_box_is_kept_in_the_picture() {
         )
     };
     assert!(refused(&[the_box, "--margin", "0.5"], 1).contains("margin"));
-    assert!(refused(&[the_box, "--margin", "nan"], 1).contains("margin"));
+    assert!(refused(&[the_box, "--margin", "nan"], 2).contains("margin"));
     assert!(refused(&["--box=0.6,0.3,-3,0.6,0.3,3"], 1).contains("frame"));
     refused(&["--box=1,2,3"], 2);
-    refused(&["--box=1,2,3,4,5,nan"], 1);
+    refused(&["--box=1,2,3,4,5,nan"], 2);
     refused(&["--node", "nothing"], 1);
     refused(&[], 1);
     refused(&[the_box, "--what", "else"], 2);
@@ -117,9 +116,9 @@ fn a_path_is_retimed_within_its_limits() {
     );
     complaint(&run(&["retime", PYRAMID, "--limit", "speed=0"]), 1);
     complaint(&run(&["retime", PYRAMID, "--limit", "speed=nan"]), 2);
-    complaint(&run(&["retime", PYRAMID, "--seconds", "-1"]), 2);
-    complaint(&run(&["retime", PYRAMID, "--from", "0"]), 2);
-    complaint(&run(&["retime", PYRAMID, "--to", "99"]), 1);
+    complaint(&run(&["retime", PYRAMID, "--seconds", "-1"]), 1);
+    complaint(&run(&["retime", PYRAMID, "--first", "0"]), 1);
+    complaint(&run(&["retime", PYRAMID, "--last", "99"]), 1);
 }
 
 /// Poses that shake: it is told how far they went, and a bound holds.
@@ -139,7 +138,7 @@ fn a_recorded_flight_becomes_steady() {
     assert!(fitted.status.success(), "{fitted:?}");
     let made = |options: &[&str]| {
         let done = run(&[
-            &["steady", &shaken, "-o", &file, "--seconds", "1"][..],
+            &["steady", &shaken, "-o", &file, "--period", "1"][..],
             options,
         ]
         .concat());
@@ -154,14 +153,17 @@ fn a_recorded_flight_becomes_steady() {
     let again = poses_of(&file);
     assert_eq!(again.len(), 200);
     assert!(made(&["--within", "0.003"]) <= 0.003);
-    let wrong = complaint(&run(&["steady", &shaken, "--seconds", "81"]), 1);
+    let wrong = complaint(&run(&["steady", &shaken, "--period", "81"]), 1);
     assert!(wrong.contains("at most 80 s"), "{wrong}");
-    complaint(&run(&["steady", &shaken, "--seconds", "nan"]), 1);
-    complaint(
-        &run(&["steady", &shaken, "--seconds", "1", "--within", "0"]),
-        2,
-    );
-    complaint(&run(&["steady", &shaken]), 2);
+    complaint(&run(&["steady", &shaken, "--period", "nan"]), 2);
+    complaint(&run(&["steady", &shaken, "--within=-1"]), 1);
+    complaint(&run(&["steady", &shaken, "--seconds", "1"]), 2);
+    // The default is a second.
+    let whole = std::fs::read(&file).unwrap();
+    assert_eq!(made(&[]), far);
+    let second = std::fs::read(&file).unwrap();
+    let said = run(&["steady", &shaken]);
+    assert!(said.status.success() && said.stdout == second && whole != second);
 }
 
 /// The sides of a box in OBJ, its corners counted by x, then y, then z.
@@ -184,7 +186,7 @@ fn a_way_is_led_clear_of_an_object() {
     )
     .unwrap();
     let arguments = ["avoid", PYRAMID, "--object", &mesh, "--clearance", "0.05"];
-    let done = run(&[&arguments[..], &["--around", "0.01", "-o", &file]].concat());
+    let done = run(&[&arguments[..], &["--radius", "0.01", "-o", &file]].concat());
     assert!(done.status.success(), "{done:?}");
     let said = String::from_utf8(done.stderr).unwrap();
     assert!(said.contains("put in") || said.contains("moved"), "{said}");
@@ -233,12 +235,9 @@ fn a_way_is_led_clear_of_an_object() {
         wrong.contains("at frame ") && wrong.contains("no way round"),
         "{wrong}"
     );
-    complaint(&run(&["avoid", PYRAMID, "--object", &mesh]), 2);
-    for bad in ["0", "-1", "nan", "inf", "1e300"] {
-        complaint(
-            &run(&["avoid", PYRAMID, "--object", &mesh, "--clearance", bad]),
-            1,
-        );
+    for (bad, status) in [("0", 1), ("-1", 1), ("nan", 2), ("inf", 2), ("1e300", 1)] {
+        let arguments = ["avoid", PYRAMID, "--object", &mesh, "--clearance", bad];
+        complaint(&run(&arguments), status);
     }
 }
 

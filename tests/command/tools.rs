@@ -38,7 +38,6 @@ fn an_orbit_is_made_extracted_repeated_and_turned_round() {
         folder,
         "orbit.vid",
         &[
-            "move",
             "orbit",
             "--around",
             "0,0.5,0",
@@ -58,8 +57,8 @@ fn an_orbit_is_made_extracted_repeated_and_turned_round() {
         assert!((pose.vrp[0].hypot(pose.vrp[2]) - 1.2).abs() < 1e-6);
         assert!((pose.vrp[1] - 0.9).abs() < 1e-12);
     }
-    let half = written(folder, "half.vid", &["extract", &orbit, "--points", "1-13"]);
-    let again = written(folder, "again.vid", &["repeat", &half, "3"]);
+    let half = written(folder, "half.vid", &["extract", &orbit, "--last", "13"]);
+    let again = written(folder, "again.vid", &["repeat", &half, "--times", "3"]);
     assert_eq!(
         Document::load(Path::new(&again))
             .unwrap()
@@ -68,7 +67,7 @@ fn an_orbit_is_made_extracted_repeated_and_turned_round() {
             .len(),
         37
     );
-    let exact = written(folder, "exact.vid", &["frames", &orbit, "77"]);
+    let exact = written(folder, "exact.vid", &["frames", &orbit, "--frames", "77"]);
     assert_eq!(poses_of(&exact).len(), 77);
     let back = written(folder, "back.vid", &["reverse", &orbit]);
     let mut reversed = poses_of(&back);
@@ -84,7 +83,7 @@ fn an_orbit_is_made_extracted_repeated_and_turned_round() {
     let moved = written(
         folder,
         "moved.vid",
-        &["transform", &orbit, "--move", "1,-2,3", "--with-targets"],
+        &["move", &orbit, "--by", "1,-2,3", "--with-targets"],
     );
     for (a, b) in poses.iter().zip(&poses_of(&moved)) {
         assert!(
@@ -95,14 +94,14 @@ fn an_orbit_is_made_extracted_repeated_and_turned_round() {
     let blend = written(
         folder,
         "blend.vid",
-        &["blend", &orbit, &moved, "--weights", "0.25,0.75"],
+        &["blend", &orbit, &moved, "--weight", "0.75"],
     );
     let first = poses_of(&blend)[0].vrp;
     assert!((first[0] - poses[0].vrp[0] - 0.75).abs() < 1e-12);
     let twisted = written(
         folder,
         "twisted.vid",
-        &["deform", &orbit, "twist", "1", "90"],
+        &["twist", &orbit, "--axis", "y", "--angle", "90"],
     );
     assert_ne!(poses_of(&twisted)[150].vrp, poses[150].vrp);
     let joined = written(
@@ -116,26 +115,35 @@ fn an_orbit_is_made_extracted_repeated_and_turned_round() {
 #[test]
 fn tools_refuse_what_does_not_do() {
     for arguments in [
-        &["move", "orbit", "--radius", "0"][..],
-        &["move", "dolly-zoom", "--end-distance", "1e-3"],
-        &["move", "figure-eight", "--width", "0"],
-        &["transform", PYRAMID, "--scale", "0"],
-        &["transform", PYRAMID, "--points", "5-99"],
-        &["frames", PYRAMID, "5"],
-        &["deform", PYRAMID, "shear", "1"],
-        &["extract", PYRAMID, "--points", "2-2"],
-        &["repeat", PYRAMID, "0"],
-        &["blend", PYRAMID, PYRAMID, "--weights", "0.5,0.6"],
+        &["orbit", "--radius", "0"][..],
+        &["dolly-zoom", "--end-distance", "1e-3"],
+        &["figure-eight", "--width", "0"],
+        &["scale", PYRAMID, "--factor", "0"],
+        &["move", PYRAMID, "--first", "5", "--last", "99"],
+        &["move", PYRAMID, "--first", "5", "--last", "4"],
+        &["scale", PYRAMID, "--at", "7"],
+        &["frames", PYRAMID, "--frames", "5"],
+        &["twist", PYRAMID, "--axis", "y", "--box", "1,1,1,0,0,0"],
+        &["extract", PYRAMID, "--first", "2", "--last", "2"],
+        &["extract", PYRAMID, "--first", "3", "--last", "2"],
+        &["repeat", PYRAMID, "--times", "0"],
+        &["insert", PYRAMID, PYRAMID, "--at", "0"],
         &["insert", PYRAMID, PYRAMID, "--fit", "scale"],
     ] {
         sentence(&run(arguments), 1);
     }
     for arguments in [
-        &["move", "loop"][..],
-        &["move", "orbit", "--around", "1,2"],
-        &["move", "orbit", "--radius", "nan"],
-        &["extract", PYRAMID],
-        &["deform", PYRAMID, "twist", "1", "90", "--box", "1,2,3"],
+        &["loop"][..],
+        &["orbit", "--around", "1,2"],
+        &["orbit", "--radius", "nan"],
+        &["frames", PYRAMID],
+        &["shear", PYRAMID],
+        &["transform", PYRAMID],
+        &["blend", PYRAMID],
+        &["turn", PYRAMID, "--about", "nowhere"],
+        &["turn", PYRAMID, "--axis", "w"],
+        &["twist", PYRAMID, "--box", "1,2,3"],
+        &["fit", PYRAMID, "--tolerance", "inf"],
     ] {
         complaint(&run(arguments), 2);
     }
@@ -153,11 +161,7 @@ fn sentences_tell_why() {
     let fps = "the frames per second must be greater than 0 and at most 100000";
     for (arguments, reason) in [
         (
-            &["fit", poses, "--tolerance", "inf"][..],
-            "the tolerance must be finite and greater than 0",
-        ),
-        (
-            &["fit", poses, "--tolerance", "0"],
+            &["fit", poses, "--tolerance", "0"][..],
             "the tolerance must be finite and greater than 0",
         ),
         (
@@ -165,24 +169,19 @@ fn sentences_tell_why() {
             "the tolerance of angles must be greater than 0 and at most 180 degrees",
         ),
         (&["fit", poses, "--fps", "1e9"], fps),
-        (&["move", "orbit", "--fps", "1e9"], fps),
+        (&["orbit", "--fps", "1e9"], fps),
+        (&["crane", "--height", "0", "--end-height", "0"], still),
         (
-            &["move", "crane", "--height", "0", "--end-height", "0"],
+            &["approach", "--distance", "1", "--end-distance", "1"],
             still,
         ),
+        (&["scale", PYRAMID, "--factor", "0"], scale),
         (
-            &["move", "approach", "--distance", "1", "--end-distance", "1"],
-            still,
-        ),
-        (&["transform", PYRAMID, "--scale", "1e300"], scale),
-        (&["transform", PYRAMID, "--scale", "1e-300"], scale),
-        (&["transform", PYRAMID, "--scale", "0"], scale),
-        (
-            &["frames", PYRAMID, "1s"],
+            &["frames", PYRAMID, "--seconds", "1"],
             "25 frames are too few: it must have at least 33",
         ),
         (
-            &["frames", PYRAMID, "1"],
+            &["frames", PYRAMID, "--frames", "1"],
             "1 frame is too few: it must have at least 33",
         ),
     ] {
@@ -232,18 +231,99 @@ fn sentences_tell_why() {
 #[test]
 fn frames_are_given_as_seconds_too() {
     let folder = tempfile::tempdir().unwrap();
-    for (given, frames) in [
-        ("10s", 250),
-        ("9.98s", 250),
-        ("250", 250),
-        ("40.04 s", 1001),
+    for (option, given, frames) in [
+        ("--seconds", "10", 250),
+        ("--seconds", "9.98", 250),
+        ("--frames", "250", 250),
+        ("--seconds", "40.04", 1001),
     ] {
-        let path = written(folder.path(), "paced.vid", &["frames", PYRAMID, given]);
+        let path = written(
+            folder.path(),
+            "paced.vid",
+            &["frames", PYRAMID, option, given],
+        );
         assert_eq!(poses_of(&path).len(), frames, "{given}");
     }
-    for wrong in ["s", "-3s", "0s", "infs", "ten", "1e400s"] {
-        complaint(&run(&["frames", PYRAMID, wrong]), 2);
+    for wrong in ["-3", "0", "nan", "ten"] {
+        complaint(&run(&["frames", PYRAMID, "--seconds", wrong]), 2);
     }
+}
+
+/// A closed form: the fixed point of a turn, of a mirror and of a scale stays, others move by it.
+#[test]
+fn points_are_changed_about_a_place() {
+    let folder = tempfile::tempdir().unwrap();
+    let orbit = written(folder.path(), "orbit.vid", &["orbit"]);
+    let before = poses_of(&orbit)[0].vrp;
+    let at = |file: &str| poses_of(file)[0].vrp;
+    let close = |a: [f64; 3], b: [f64; 3]| {
+        assert!(
+            a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-9),
+            "{a:?} {b:?}"
+        );
+    };
+    let [x, y, z] = before;
+    for (arguments, wanted) in [
+        (
+            &["scale", &orbit, "--factor", "3", "--about", "1,2,-3"][..],
+            [
+                1.0 + 3.0 * (x - 1.0),
+                2.0 + 3.0 * (y - 2.0),
+                -3.0 + 3.0 * (z + 3.0),
+            ],
+        ),
+        (
+            &["mirror", &orbit, "--axis", "x", "--about", "origin"],
+            [-x, y, z],
+        ),
+        (
+            &["mirror", &orbit, "--axis", "z", "--about", "0,0,-2"],
+            [x, y, -4.0 - z],
+        ),
+        (
+            &[
+                "turn",
+                &orbit,
+                "--axis",
+                "y",
+                "--angle",
+                "90",
+                "--about=1,5,2",
+            ],
+            [1.0 + (z - 2.0), y, 2.0 - (x - 1.0)],
+        ),
+        (
+            &["scale", &orbit, "--factor", "3", "--about", "point"],
+            [x, y, z],
+        ),
+    ] {
+        close(at(&written(folder.path(), "made.vid", arguments)), wanted);
+    }
+}
+
+/// A twist about the axis of a given box: by ±45° at its ends, nothing in its middle.
+#[test]
+fn a_box_of_ones_own_is_twisted() {
+    let folder = tempfile::tempdir().unwrap();
+    let arc = written(folder.path(), "arc.vid", &["arc", "--height", "0"]);
+    let still = ["twist", &arc, "--axis", "y", "--box", "-1,-1,-1,1,1,1"];
+    let still = written(folder.path(), "still.vid", &still);
+    let turned = ["twist", &arc, "--axis", "y", "--box", "-1,0,-1,1,1,1"];
+    let turned = written(folder.path(), "turned.vid", &turned);
+    let point = |file: &str| Document::load(Path::new(file)).unwrap().path().points[0].position;
+    let (from, same, far) = (point(&arc), point(&still), point(&turned));
+    assert_ne!(same, far);
+    for place in [same, far] {
+        assert!(
+            (place.length() - from.length()).abs() < 1e-9,
+            "{place} {from}"
+        );
+    }
+    let angle = from.angle_between(far) - from.angle_between(same);
+    assert!(
+        (angle.abs() - std::f64::consts::FRAC_PI_4).abs() < 1e-9,
+        "{angle}"
+    );
 }
 
 /// An object's file needs no checksum by hand; saved, it has one.
@@ -369,7 +449,7 @@ fn the_space_of_a_move_holds_it() {
         ("around.vid", &["--object", mesh, "--seconds", "20"][..]),
         ("wide.vid", &["--radius", "40", "--seconds", "20"]),
     ] {
-        let file = written(folder, name, &[&["move", "orbit"], options].concat());
+        let file = written(folder, name, &[&["orbit"], options].concat());
         assert_eq!(said(&run(&["check", &file])), "");
     }
 }
@@ -378,7 +458,7 @@ fn the_space_of_a_move_holds_it() {
 fn fits_and_moves_have_a_space() {
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();
-    let orbit = written(folder, "z.vid", &["move", "orbit", "--up", "z"]);
+    let orbit = written(folder, "z.vid", &["orbit", "--up", "z"]);
     for pose in poses_of(&orbit) {
         assert!((pose.vrp[0].hypot(pose.vrp[1]) - 1.0).abs() < 1e-6 && pose.vup[2] > 0.9);
     }
@@ -437,7 +517,7 @@ fn fits_and_moves_have_a_space() {
 #[test]
 fn seconds_that_are_too_many_are_told_as_given() {
     let folder = tempfile::tempdir().unwrap();
-    let path = written(folder.path(), "arc.vid", &["move", "arc"]);
-    let told = sentence(&run(&["frames", &path, "1e300s"]), 1);
+    let path = written(folder.path(), "arc.vid", &["arc"]);
+    let told = sentence(&run(&["frames", &path, "--seconds", "1e300"]), 1);
     assert!(told.contains("1e300 seconds are too many"), "{told}");
 }

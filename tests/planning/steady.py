@@ -71,7 +71,7 @@ for number in range(count):
     poses, shaken, out = folder / "poses.txt", folder / "shaken.vid", folder / "steady.vid"
     np.savetxt(poses, rows, fmt="%.15g")
     run("fit", poses, "--tolerance", str(noise / 50), "--angle", str(np.degrees(turning) / 50), "-o", shaken)
-    said = run("steady", shaken, "-o", out, "--seconds", str(seconds)).stderr
+    said = run("steady", shaken, "-o", out, "--period", str(seconds)).stderr
     points = int(said.split(" points")[0].split()[-1])
     was, was_turned = read(shaken)
     made, made_turned = read(out)

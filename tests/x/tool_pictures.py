@@ -39,7 +39,7 @@ class Cells:
         text = subprocess.run([self.vides, "sample", file, "--format", "csv"], check=True,
                               capture_output=True, text=True).stdout
         lines = (line for line in io.StringIO(text) if not line.startswith("#"))
-        rows = [list(map(float, row[-10:])) for row in list(csv.reader(lines))[1:]]
+        rows = [list(map(float, row[1:11])) for row in list(csv.reader(lines))[1:]]
         return [(row[:3], row[3:6]) for row in rows]
 
     def add(self, name, after, before=None, dots=()):
@@ -118,42 +118,42 @@ def main(vides, picture):
         cells = Cells(vides, folder)
         for move in MOVES:
             options = ["--seconds", "6"] if move != "pan" else []
-            cells.add(move, cells.made(move, "move", move, *options))
+            cells.add(move, cells.made(move, move, *options))
         poses = os.path.join(folder, "drawn.txt")
         places = recorded(poses, False)
         cells.add("draw", cells.made("draw", "fit", poses), dots=places)
-        way = cells.made("way", "move", "arc", "--radius", "0.8", "--from", "200",
+        way = cells.made("way", "arc", "--radius", "0.8", "--from", "200",
                          "--to", "20", "--height", "0.3")
-        high = cells.made("high", "transform", way, "--turn", "25", "--axis", "x")
+        high = cells.made("high", "turn", way, "--angle", "25", "--axis", "x")
         for name, arguments in (
-                ("move", ("transform", way, "--move", "0.3,0.3,0")),
-                ("turn", ("transform", way, "--turn", "60")),
-                ("scale", ("transform", way, "--scale", "0.5")),
-                ("mirror", ("transform", way, "--mirror", "x")),
+                ("move", ("move", way, "--by", "0.3,0.3,0")),
+                ("turn", ("turn", way, "--angle", "60")),
+                ("scale", ("scale", way, "--factor", "0.5")),
+                ("mirror", ("mirror", way, "--axis", "x")),
         ):
             cells.add(name, cells.made(name, *arguments), way)
         lattice = [c for k in range(4) for j in range(4) for i in range(4)
                    for c in ((i - 1.5) / 1.5, (j - 1.5) / 1.5 + (1.5 if i in (1, 2) else 0),
                              (k - 1.5) / 1.5)]
         for name, arguments in (
-                ("taper", ("taper", "0", "1", "0.3")), ("bulge", ("taper", "0", "2")),
-                ("twist", ("twist", "0", "180")), ("bend", ("bend", "2", "120")),
-                ("free form", ("free-form", *map(str, lattice)))):
+                ("taper", ("--axis", "x", "--r1", "0.3")), ("bulge", ("--axis", "x")),
+                ("twist", ("--axis", "x", "--angle", "180")),
+                ("bend", ("--axis", "z", "--angle", "120")),
+                ("free-form", ("--lattice", ",".join(map(str, lattice))))):
             before = way if name == "bulge" else high
-            cells.add(name, cells.made(name, "deform", before, *arguments), before)
-        block = cells.made("block", "extract", way, "--points", "2-4")
+            cells.add(name.replace("-", " "), cells.made(name, name, before, *arguments), before)
+        block = cells.made("block", "extract", way, "--first", "2", "--last", "4")
         cells.add("extract", block, way)
-        short = cells.made("short", "transform", cells.made("8", "move", "figure-eight",
-                                                            "--width", "0.5"),
-                           "--scale", "0.6", "--with-targets")
+        short = cells.made("short", "scale", cells.made("8", "figure-eight", "--width", "0.5"),
+                           "--factor", "0.6", "--with-targets")
         cells.add("insert", cells.made("insert", "insert", way, short, "--fit", "turn"), way)
         cells.add("reverse", cells.made("reverse", "reverse", way))
-        step = cells.made("step", "transform", way, "--scale", "0.4", "--with-targets")
-        step = cells.made("moved", "transform", step, "--move", "-0.5,-0.2,0", "--with-targets")
-        cells.add("repeat", cells.made("repeat", "repeat", step, "3"), step)
-        other = cells.made("other", "transform", way, "--mirror", "z")
-        cells.add("blend", cells.made("blend", "blend", way, other, "--weights", "0.6,0.4"), way)
-        cells.add("frames", cells.made("frames", "frames", way, "60"))
+        step = cells.made("step", "scale", way, "--factor", "0.4", "--with-targets")
+        step = cells.made("moved", "move", step, "--by", "-0.5,-0.2,0", "--with-targets")
+        cells.add("repeat", cells.made("repeat", "repeat", step, "--times", "3"), step)
+        other = cells.made("other", "mirror", way, "--axis", "z")
+        cells.add("blend", cells.made("blend", "blend", way, other, "--weight", "0.4"), way)
+        cells.add("frames", cells.made("frames", "frames", way, "--frames", "60"))
         poses = os.path.join(folder, "recorded.txt")
         places = recorded(poses, True)
         fitted = cells.made("fit", "fit", poses, "--tolerance", "0.02", "--angle", "1")

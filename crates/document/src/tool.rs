@@ -496,7 +496,7 @@ impl<'a> ToolArguments<'a> {
 
     fn steadied(&self, progress: Progress<'_>) -> Result<CameraPath> {
         let request = SteadyRequest {
-            seconds: self.number("period"),
+            period: self.number("period"),
             within: self.number("within"),
             fps: self.document.info().fps,
         };
@@ -506,7 +506,7 @@ impl<'a> ToolArguments<'a> {
     fn avoiding(&self, material: &ToolInput, progress: Progress<'_>) -> Result<CameraPath> {
         let request = AvoidRequest {
             clearance: self.number("clearance"),
-            radius: self.number("sphere"),
+            radius: self.number("radius"),
         };
         let object = material.object_or_own(self.document)?;
         Ok(avoid_object(self.document.path(), &object, &request, progress)?.path)
@@ -559,10 +559,11 @@ impl<'a> ToolArguments<'a> {
         Ok(points.iter().map(|&at| all[at].position).collect())
     }
 
+    /// On a closed path also over its seam.
     fn extracted(&self) -> Result<CameraPath> {
-        let points = self.points()?;
-        let path = self.document.path();
-        Ok(block::extract(path, points[0], points[points.len() - 1])?)
+        let [first, last] =
+            [FIRST, LAST].map(|end| chosen(self.number(end.name)).saturating_sub(1));
+        Ok(block::extract(self.document.path(), first, last)?)
     }
 
     /// The point that stays fixed.

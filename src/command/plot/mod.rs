@@ -8,7 +8,7 @@ use clap::Args;
 use vides::plot;
 
 use super::failure::{Failure, complain, one_line};
-use super::input;
+use super::input::{self, ObjectOption};
 use super::output::{is_file, write};
 use super::progress::progress;
 
@@ -20,10 +20,8 @@ pub(super) struct Arguments {
     /// The output file, .svg or .png; - is standard output, as SVG
     #[arg(short, long, value_name = "OUT", default_value = "-")]
     output: PathBuf,
-    /// Replaces the path's object: a mesh (.obj, .ply, .stl, .gltf, .glb)
-    /// or the object of a .vid file
-    #[arg(long, value_name = "FILE")]
-    object: Option<PathBuf>,
+    #[command(flatten)]
+    object: ObjectOption,
     /// Uses a dark background
     #[arg(long)]
     dark: bool,
@@ -41,7 +39,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         )));
     }
     let document = input::load_shown(&arguments.file)?;
-    let object = arguments.object.as_deref().map(input::object).transpose()?;
+    let object = arguments.object.load()?;
     let picture = plot::picture(
         &document,
         object.as_ref(),

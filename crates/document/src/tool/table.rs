@@ -162,7 +162,7 @@ pub(super) const TOOLS: &[Tool] = &[
     },
     Tool {
         name: "free-form",
-        does: "deforms the points' box by the squares in the space, which are dragged",
+        does: "deforms the points' box by 4 × 4 × 4 control points",
         kind: Kind::Deform("free-form"),
         tables: [
             &[Parameter {
@@ -237,7 +237,7 @@ pub(super) const TOOLS: &[Tool] = &[
     },
     Tool {
         name: "retime",
-        does: "recomputes the speed profile of points within the limits of the check",
+        does: "sets the speed of points within the limits of a check",
         kind: Kind::Retime,
         tables: [
             &[Parameter {
@@ -289,15 +289,15 @@ pub(super) const TOOLS: &[Tool] = &[
                     unit: Unit::Length,
                     least: 1e-9,
                     most: MAX_COORDINATE,
-                    ..one("clearance", "how near the object may come", 0.02)
+                    ..one("clearance", "least distance from the object", 0.02)
                 },
                 Parameter {
                     unit: Unit::Length,
                     least: 0.0,
                     most: MAX_COORDINATE,
                     ..one(
-                        "sphere",
-                        "the radius of a sphere around the camera that keeps it",
+                        "radius",
+                        "radius of a sphere around the camera that keeps the clearance",
                         0.0,
                     )
                 },
@@ -307,7 +307,7 @@ pub(super) const TOOLS: &[Tool] = &[
     },
     Tool {
         name: "picture",
-        does: "keeps the object whole in the picture, as large as a margin allows",
+        does: "keeps the object in the picture, as large as a margin allows",
         kind: Kind::Picture,
         tables: [
             &[
@@ -345,6 +345,7 @@ pub(super) const TOOLS: &[Tool] = &[
                 Parameter {
                     unit: Unit::Length,
                     least: 0.0,
+                    most: MAX_COORDINATE,
                     ..one(
                         "distance",
                         "distance of the camera from what it shows; 0: automatic",

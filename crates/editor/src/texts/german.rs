@@ -380,7 +380,7 @@ german! {
         NoNextPoint => "es gibt keinen nächsten Punkt, an dem der Baustein enden könnte";
         WeightSum(sum) => "die Gewichte müssen zusammen 1 ergeben, nicht {}", number(*sum);
         Tolerance => "die Toleranz muss endlich und größer als 0 sein";
-        SteadySeconds(most) => "die Zeit der Beruhigung muss größer als 0 sein, und höchstens {} s (2.000 Bilder)", most;
+        SteadyPeriod(most) => "die Grenzperiode muss größer als 0 sein, und höchstens {} s (2.000 Bilder)", most;
         SteadyWithin => "die Schranke der Beruhigung muss endlich sein und darf nicht kleiner als 0 sein";
         TooFewFittedPoints =>
             "mit so wenigen Punkten folgt keine Bahn den Posen, auch bei der tausendfachen Toleranz nicht";

@@ -321,9 +321,9 @@ pub enum OutOfRange {
     TooFewFittedPoints,
     #[error(
         "{} must be greater than 0 and at most {most} s (2,000 frames)",
-        Called("the time to steady over", "seconds"), most = .0
+        Called("the cut-off period", "period"), most = .0
     )]
-    SteadySeconds(f64),
+    SteadyPeriod(f64),
     #[error(
         "{} must be finite and not less than 0",
         Called("the bound of steadying", "within")

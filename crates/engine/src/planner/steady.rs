@@ -40,7 +40,7 @@ const ROUNDS: usize = 4;
 pub struct SteadyRequest {
     /// The cut-off period in seconds: the low pass halves motion of this period, and leaves hardly
     /// anything of quicker ones; > 0, at most 2,000 frames.
-    pub seconds: f64,
+    pub period: f64,
     /// Maximum distance any position may move, ≥ 0; 0: no limit.
     pub within: f64,
     /// Frames a second.
@@ -74,9 +74,9 @@ pub fn steady(
     if !(fps > 0.0 && fps <= MAX_FPS) {
         return Err(OutOfRange::Fps.into());
     }
-    let frames = request.seconds * fps;
+    let frames = request.period * fps;
     if !(frames > 0.0 && frames <= MOST_FRAMES) {
-        return Err(OutOfRange::SteadySeconds(MOST_FRAMES / fps).into());
+        return Err(OutOfRange::SteadyPeriod(MOST_FRAMES / fps).into());
     }
     if !(within >= 0.0 && within.is_finite()) {
         return Err(OutOfRange::SteadyWithin.into());

@@ -75,7 +75,7 @@ fn sampled(path: &CameraPath) -> Vec<(DVec3, DQuat)> {
 
 fn request(within: f64) -> SteadyRequest {
     SteadyRequest {
-        seconds: SECONDS,
+        period: SECONDS,
         within,
         fps: FPS,
     }
@@ -185,7 +185,7 @@ fn what_will_not_do_is_refused() {
         let wrong = refused(
             &path,
             SteadyRequest {
-                seconds,
+                period: seconds,
                 ..request(0.0)
             },
             true,
@@ -219,7 +219,7 @@ fn more_frames_than_can_be_fitted_are_refused_before_any_work() {
     let mut path = CameraPath::default();
     path.points[0].orientations[0].hold = 1_000_000;
     let request = SteadyRequest {
-        seconds: SECONDS,
+        period: SECONDS,
         within: 0.0,
         fps: FPS,
     };
