@@ -142,11 +142,7 @@ impl Recording {
     ///
     /// # Errors
     /// [`Cause::Empty`], [`Cause::Order`]; those of the fit and of scenes.
-    pub(super) fn into_scene(
-        mut self,
-        options: &Options,
-        report: &mut Report,
-    ) -> Result<SceneDocument> {
+    pub fn into_scene(mut self, options: &Options, report: &mut Report) -> Result<SceneDocument> {
         if self.poses.is_empty() {
             return Err(Place::Whole.wrong(Cause::Empty));
         }
