@@ -94,9 +94,10 @@ def vector(values: Vector, name: str) -> tuple[float, float, float]:
 
 def each(values: npt.ArrayLike, count: int, name: str) -> Array:
     """One finite number for each of ``count`` points; one for all is repeated."""
-    one = np.ndim(values) == 0
-    array = doubles(np.atleast_1d(values), (None,) if one else (count,), name)
-    return np.full(count, array[0]) if one else array
+    if np.ndim(values) == 0:
+        # An array without sides is a number, too.
+        values = np.full(count, number(values, name))  # type: ignore[arg-type]
+    return doubles(values, (count,), name)
 
 
 def places(values: npt.ArrayLike, count: int, name: str) -> Array:

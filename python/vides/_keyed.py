@@ -9,6 +9,7 @@ import re
 from typing import TYPE_CHECKING, Any, SupportsIndex
 
 from . import _vides
+from ._arrays import str_of
 from ._error import Error, NoIndex
 
 
@@ -52,7 +53,7 @@ class Keyed:
         raise NotImplementedError
 
     def _get(self, name: str) -> Any:
-        return self._document().property(self._prefix() + name)
+        return self._document().property(self._prefix() + str_of(name, "name"))
 
     def _parts(self, name: str) -> Any:
         """A property that has parts, by their names."""
@@ -61,7 +62,7 @@ class Keyed:
 
     def _put(self, name: str, value: object) -> None:
         """Sets a property; ``None`` restores the default."""
-        if not isinstance(value, (str, type(None))) and name in _texts():
+        if not isinstance(value, (str, type(None))) and str_of(name, "name") in _texts():
             raise TypeError(f"{name} must be a text, not {type(value).__name__}")
         try:
             self._document().set_property(self._prefix() + name, value)

@@ -185,17 +185,17 @@ class Node(NodeProperties):
         return None if at is None else self._owner._native.nodes()[at][0]
 
     def _set(self, name: str, value: object) -> None:
-        self._owner._native.set_rest(self._at, name, value)
+        self._owner._native.set_rest(self._at, str_of(name, "name"), value)
 
     def _get(self, name: str) -> Any:
         """A value without keys; several numbers are a read-only array."""
-        value = self._owner._native.rest(self._at, name)
+        value = self._owner._native.rest(self._at, str_of(name, "name"))
         if value is None:
             raise self._unknown(name)
         return frozen(value) if isinstance(value, list) else value
 
     def _put(self, name: str, value: Any) -> None:
-        if name in _WIDTHS:
+        if str_of(name, "name") in _WIDTHS:
             self._set(name, doubles(value, (_WIDTHS[name],), name).tolist())
         elif name != "visible":
             self._set(name, number(value, name))
