@@ -21,18 +21,7 @@ def main(folder: str, frames: int = 50) -> list[Path]:
 
     plotter = pyvista.Plotter(off_screen=True, window_size=[320, 240])
     plotter.add_mesh(torus, scalars="height", show_scalar_bar=False)
-    samples = path.sample()
-    written = []
-    for number, (pose, fov) in enumerate(zip(samples, samples.fov)):
-        plotter.camera.position = pose[0:3]
-        plotter.camera.focal_point = pose[0:3] + pose[3:6]
-        plotter.camera.up = pose[6:9]
-        plotter.camera.view_angle = fov
-        plotter.reset_camera_clipping_range()
-        plotter.render()
-        file = Path(folder, f"{number:04}.png")
-        plotter.screenshot(file)
-        written.append(file)
+    written = path.render(plotter, folder)
     plotter.close()
     return written
 

@@ -8,7 +8,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use vides::document::{self, Edit, Info};
 use vides::glam::DVec3;
-use vides::path::{CameraPath, Change, CurveKind, Pose, Space, Target, Up};
+use vides::path::{CameraPath, Change, CurveKind, Pose, Space, Up};
 use vides::tools::check::Finding;
 use vides::tools::fit::Progress;
 
@@ -24,7 +24,7 @@ pub(crate) struct Document(RwLock<document::Document>);
 
 /// Kind, first and last frame, point, orientation, value, limit, sentence, remedy.
 type Found = (
-    &'static str,
+    String,
     f64,
     f64,
     usize,
@@ -71,7 +71,7 @@ impl Document {
 
     /// Plans an edit on a copy, so that signal handlers may read the path meanwhile, and applies
     /// it. Ctrl-C stops it.
-    fn planned<R: Send>(
+    pub(crate) fn planned<R: Send>(
         &self,
         py: Python<'_>,
         plan: impl FnOnce(&mut document::Document, Progress<'_>) -> Result<(Edit, R)> + Send,
@@ -130,14 +130,22 @@ pub(crate) fn upright(name: &str) -> Result<Up> {
     })
 }
 
-fn told(finding: &Finding) -> Found {
+/// A finding in a space of this `half_size`: lengths in the path's unit, points from 0.
+fn told(finding: &Finding, half_size: f64) -> Found {
     let kind = finding.kind;
-    // Python counts points from 0.
+    let scale = planning::scale(kind, half_size);
+    let finding = Finding {
+        value: finding.value * scale,
+        limit: finding.limit * scale,
+        ..*finding
+    };
     let sentence = kind.sentence().replace("{2}", &finding.point.to_string());
     let sentence = sentence.replace("{3}", &finding.orientation.to_string());
+    let sentence = sentence.replace(" half sizes/", " lengths/");
+    let sentence = sentence.replace(" half sizes", "");
     let number = |value: f64, decimals: usize| format!("{value:.decimals$}");
     (
-        kind.name(),
+        planning::keyword(kind),
         finding.first_frame,
         finding.last_frame,
         finding.point,
@@ -244,45 +252,6 @@ impl Document {
             Ok::<_, Failure>(collected(points.map(|point| point.position)))
         })?;
         Ok(table(py, places.into_iter()))
-    }
-
-    /// Moves all points, and the targets given as offsets with them, as one undo step.
-    fn set_positions(&self, py: Python<'_>, positions: PyReadonlyArray2<'_, f64>) -> Result<()> {
-        let places = arrays::places(&positions)?;
-        self.write(py, |document| {
-            let mut path = document.path().try_clone()?;
-            let count = path.points.len();
-            if places.len() != count {
-                let given = places.len();
-                return Err(Failure::argument(format!(
-                    "there are {count} points, and {given} positions"
-                )));
-            }
-            for (point, place) in path.points.iter_mut().zip(places) {
-                point.position = place;
-            }
-            Ok(document.apply(Edit::ReplacePath(Box::new(path)))?)
-        })
-    }
-
-    /// Makes all views of a point, or of all points, look at a place, as one undo step.
-    fn look_at(&self, py: Python<'_>, target: [f64; 3], point: Option<usize>) -> Result<()> {
-        self.write(py, |document| {
-            let mut path = document.path().try_clone()?;
-            let points = match point {
-                Some(at) => {
-                    edits::point(document, at)?;
-                    at..at + 1
-                }
-                None => 0..path.points.len(),
-            };
-            for at in points {
-                for orientation in &mut path.points[at].orientations {
-                    orientation.target = Target::Absolute(target.into());
-                }
-            }
-            Ok::<_, Failure>(document.apply(Edit::ReplacePath(Box::new(path)))?)
-        })
     }
 
     fn position(&self, py: Python<'_>, point: usize) -> Result<[f64; 3]> {
@@ -439,8 +408,9 @@ impl Document {
             let clearance = document.clearance(None)?;
             let found = document.check_against(clearance.as_ref(), go_on)?;
             let notes = document.notes(clearance.as_ref(), true)?;
+            let half_size = document.path().space.half_size;
             Ok((
-                found.iter().map(told).collect(),
+                found.iter().map(|one| told(one, half_size)).collect(),
                 notes.iter().map(ToString::to_string).collect(),
             ))
         })
@@ -450,28 +420,11 @@ impl Document {
         self.planned(py, |document, go_on| {
             let clearance = document.clearance(None)?;
             let mut fixed = Vec::new();
-            let mut tell = |finding: &Finding| fixed.push(told(finding));
+            let half_size = document.path().space.half_size;
+            let mut tell = |finding: &Finding| fixed.push(told(finding, half_size));
             document.fix(clearance.as_ref(), &mut tell, go_on)?;
             let path = document.path().try_clone()?;
             Ok((Edit::ReplacePath(Box::new(path)), fixed))
-        })
-    }
-
-    #[pyo3(signature = (name, numbers, block=None))]
-    fn tool(
-        &self,
-        py: Python<'_>,
-        name: &str,
-        numbers: &Bound<'_, PyDict>,
-        block: Option<&Self>,
-    ) -> PyResult<()> {
-        let numbers = edits::tool_numbers(numbers)?;
-        let block = match block {
-            Some(block) => Some(block.read(py, |block| block.path().try_clone())?),
-            None => None,
-        };
-        self.planned(py, |document, go_on| {
-            Ok((edits::tool(document, name, &numbers, block, go_on)?, ()))
         })
     }
 
@@ -524,31 +477,32 @@ impl Document {
 
     fn limits(&self, py: Python<'_>) -> Result<Vec<(String, f64)>> {
         self.read(py, |document| {
-            Ok::<_, Failure>(planning::named(&document.info().limits))
+            let half_size = document.path().space.half_size;
+            Ok::<_, Failure>(planning::named(&document.info().limits, half_size))
         })
     }
 
     fn set_limits(&self, py: Python<'_>, given: Vec<(String, Option<f64>)>) -> Result<()> {
         self.write(py, |document| {
+            let half_size = document.path().space.half_size;
             let info = Info {
-                limits: planning::limits(document.info().limits, &given)?,
+                limits: planning::limits(document.info().limits, &given, half_size)?,
                 ..document.info().clone()
             };
             Ok::<_, Failure>(document.apply(Edit::SetInfo(Box::new(info)))?)
         })
     }
 
-    fn set_object(&self, py: Python<'_>, file: Option<PathBuf>) -> Result<()> {
+    #[pyo3(signature = (object))]
+    fn set_object(&self, py: Python<'_>, object: Option<planning::Given<'_>>) -> Result<()> {
+        let source = object.map(planning::Given::source).transpose()?;
         self.write(py, |document| {
-            let object = match file {
-                Some(file) => document::load_object(&file)?,
-                None => document::Object::default(),
-            };
+            let object = source.map(planning::Source::object).transpose()?;
             let info = Info {
-                object,
+                object: object.unwrap_or_default(),
                 ..document.info().clone()
             };
-            document.apply(Edit::SetInfo(Box::new(info)))
+            Ok::<_, Failure>(document.apply(Edit::SetInfo(Box::new(info)))?)
         })
     }
 

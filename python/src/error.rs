@@ -3,7 +3,7 @@
 use pyo3::exceptions::PyAttributeError;
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
-use vides::error::{EngineError, ErrorKind, FromZero, OutOfRange, Refused};
+use vides::error::{EngineError, ErrorKind, FromZero, Invalid, OutOfRange, Refused};
 use vides::{formats, window};
 
 /// What will be raised as an exception.
@@ -16,8 +16,8 @@ pub(crate) struct Failure {
     sentence: String,
     /// There is no such name: an `AttributeError` in Python.
     no_attribute: bool,
-    /// There is no such point or orientation: also an `IndexError`.
-    no_index: bool,
+    /// What there is none of: an `"index"` (also an `IndexError`) or a `"name"` (a `KeyError`).
+    missing: Option<&'static str>,
     /// The system's error number.
     errno: Option<i32>,
 }
@@ -60,7 +60,7 @@ impl Failure {
             line: None,
             sentence: sentence.into(),
             no_attribute: false,
-            no_index: false,
+            missing: None,
             errno: None,
         }
     }
@@ -103,7 +103,8 @@ impl Failure {
                 self.place.push(bare(place));
                 self.engine(cause);
             }
-            EngineError::Range(OutOfRange::NoPoint { .. }) => self.no_index = true,
+            EngineError::Range(OutOfRange::NoPoint { .. }) => self.missing = Some("index"),
+            EngineError::Argument(Invalid::NoNodeNamed(_)) => self.missing = Some("name"),
             _ => {}
         }
     }
@@ -112,7 +113,7 @@ impl Failure {
         match error {
             vides::Error::Engine(error) => self.engine(error),
             vides::Error::Refused(Refused::NoProperty { .. }) => self.no_attribute = true,
-            vides::Error::Refused(Refused::NoOrientation { .. }) => self.no_index = true,
+            vides::Error::Refused(Refused::NoOrientation { .. }) => self.missing = Some("index"),
             vides::Error::Io { place, source } => {
                 self.place.push(place.clone());
                 self.errno = source.raw_os_error();
@@ -138,6 +139,7 @@ impl Failure {
     fn formats(&mut self, error: &formats::Error) {
         match error {
             formats::Error::Document(error) => self.document(error),
+            formats::Error::NoNode(_) => self.missing = Some("name"),
             formats::Error::Content { place, .. } => match place {
                 formats::Place::Line(line) => self.line = Some(*line),
                 formats::Place::Key(key) => self.place.push(key.to_string()),
@@ -204,7 +206,7 @@ impl From<Failure> for PyErr {
                 place,
                 failure.line,
                 errno,
-                failure.no_index,
+                failure.missing,
             );
             let error = MAKE
                 .import(py, "vides._error", "error_of")

@@ -6,7 +6,7 @@ use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 use vides::document::{self, Info};
 use vides::error::FromZero;
-use vides::formats::{self, As, Format, Holds, Options, Report, Source};
+use vides::formats::{self, As, Format, Holds, Options, Recording, Report, Source, Times};
 use vides::path::Up;
 use vides::tools::fit::{
     Deviation, Options as FitOptions, Report as FitResult, Tolerance, fit as fit_poses, fit_points,
@@ -136,6 +136,48 @@ pub(crate) fn recording<'py>(
         options.up.or(recording.up).map(Up::name),
         losses(&report),
     ))
+}
+
+/// Writes poses, one a frame, or at their frames in formats whose poses have times. Returns what
+/// the format cannot hold.
+#[pyfunction]
+#[pyo3(signature = (file, write_as, choices, poses, frames, fps, up))]
+#[expect(clippy::too_many_arguments)]
+pub(crate) fn save_poses(
+    py: Python<'_>,
+    file: PathBuf,
+    write_as: Option<&str>,
+    choices: Choices,
+    poses: PyReadonlyArray2<'_, f64>,
+    frames: PyReadonlyArray1<'_, f64>,
+    fps: f64,
+    up: Option<&str>,
+) -> Result<Vec<String>> {
+    let (mut options, to) = (options(&choices)?, format(write_as)?);
+    let (poses, frames) = (arrays::poses(&poses)?, arrays::numbers(&frames));
+    let up = up.map(upright).transpose()?;
+    py.detach(|| {
+        let to = format_for(&file, to)?;
+        let recording = Recording {
+            poses,
+            first_frame: frames.first().copied(),
+            frames: to.own_times.then_some(frames),
+            fps: Some(fps),
+            up,
+            ..Recording::default()
+        };
+        if to.own_times && options.fps.is_none() && options.frames.is_none() {
+            options.times = options.times.or(Some(Times::Own));
+        }
+        let keyed = Options {
+            as_: Some(As::Keys),
+            ..Options::default()
+        };
+        let mut report = Report::default();
+        let document = recording.into_scene(&keyed, &mut report)?;
+        let report = formats::export(&document, &file, to, &options, &mut |_, _| {})?;
+        Ok(losses(&report))
+    })
 }
 
 /// Points and poses; greatest and RMS deviation of position, view and field of view; noise; holds,

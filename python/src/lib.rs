@@ -13,6 +13,8 @@ mod interrupt;
 mod listed;
 mod planning;
 mod scene;
+mod several;
+mod tools;
 mod values;
 mod window;
 
@@ -26,15 +28,22 @@ mod _vides {
     #[pymodule_export]
     use super::document::Document;
     #[pymodule_export]
-    use super::files::{convert, fit, recording};
+    use super::files::{convert, fit, recording, save_poses};
     #[pymodule_export]
     use super::interrupt::set_progress;
     #[pymodule_export]
-    use super::listed::{formats, keys, options, tools};
+    use super::listed::{formats, keys, options};
     #[pymodule_export]
     use super::planning::tour;
     #[pymodule_export]
     use super::scene::Scene;
+    #[pymodule_export]
+    use super::several::{
+        extract, insert_path, look_at, numbers, set_numbers, set_positions, set_times, times,
+        transform,
+    };
+    #[pymodule_export]
+    use super::tools::{apply, made, tools};
     #[pymodule_export]
     use super::window::Window;
 }

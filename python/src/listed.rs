@@ -1,10 +1,8 @@
 //! Lists from the tables of the crates.
 
 use pyo3::prelude::*;
-use vides::document::tool::{Needs, Tool, tools as all_tools};
 use vides::formats::{Format, OPTIONS, formats as all_formats};
 use vides::property::Listed;
-use vides::tools::Unit;
 
 /// Name, title, extensions, whether it can be read, whether it can be written.
 #[pyfunction]
@@ -28,42 +26,6 @@ pub(crate) fn options() -> Vec<(&'static str, &'static str, &'static str)> {
         .iter()
         .map(|row| (row.name, row.value, row.help))
         .collect()
-}
-
-/// Name, description, whether it takes another path, and its parameters: name, description, unit or
-/// choices, number of values.
-type ToolRow = (
-    &'static str,
-    &'static str,
-    bool,
-    Vec<(String, &'static str, String, usize)>,
-);
-
-/// Whether Python has this tool. The others write a file, need a line drawn by hand, or take poses,
-/// for which there is `fit`.
-pub(crate) fn usable(tool: &Tool) -> bool {
-    matches!(tool.needs(), Needs::Nothing | Needs::Block)
-}
-
-#[pyfunction]
-pub(crate) fn tools() -> Vec<ToolRow> {
-    let rows = all_tools().filter(usable);
-    rows.map(|tool| {
-        let parameters = tool.parameters().map(|known| {
-            let unit = match known.unit {
-                Unit::Choice(names) => names.join(" | "),
-                unit => unit.name().to_owned(),
-            };
-            (known.name.replace('-', "_"), known.does, unit, known.width)
-        });
-        (
-            tool.name,
-            tool.does,
-            tool.needs() == Needs::Block,
-            parameters.collect(),
-        )
-    })
-    .collect()
 }
 
 /// A property: owner, key, description, type, unit, range, and the default as in files.

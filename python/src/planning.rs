@@ -20,24 +20,42 @@ use crate::error::{Failure, Result};
 use crate::interrupt::interruptible;
 
 /// The kind as a Python keyword.
-fn keyword(kind: FindingKind) -> String {
+pub(crate) fn keyword(kind: FindingKind) -> String {
     kind.name().replace('-', "_")
 }
 
-/// Limits by keyword.
-pub(crate) fn named(limits: &Limits) -> Vec<(String, f64)> {
+/// What a limit counts in the engine, in the path's unit: half sizes for lengths.
+pub(crate) fn scale(kind: FindingKind, half_size: f64) -> f64 {
+    match kind.unit().starts_with("half sizes") {
+        true => half_size,
+        false => 1.0,
+    }
+}
+
+/// Limits by keyword, in the path's unit.
+pub(crate) fn named(limits: &Limits, half_size: f64) -> Vec<(String, f64)> {
     let kinds = FindingKind::all();
     kinds
-        .map(|kind| (keyword(kind), limits.get(kind)))
+        .map(|kind| (keyword(kind), limits.get(kind) * scale(kind, half_size)))
         .collect()
 }
 
-/// Limits, changed by keyword; `None` restores a default.
-pub(crate) fn limits(mut of: Limits, given: &[(String, Option<f64>)]) -> Result<Limits> {
+/// Limits, changed by keyword, in the path's unit; `None` restores a default.
+pub(crate) fn limits(
+    mut of: Limits,
+    given: &[(String, Option<f64>)],
+    half_size: f64,
+) -> Result<Limits> {
     for (name, limit) in given {
-        let kind = FindingKind::all()
-            .find(|kind| keyword(*kind) == *name)
-            .ok_or_else(|| Failure::argument(format!("there is no limit {name:?}")))?;
+        let kind = FindingKind::all().find(|kind| keyword(*kind) == *name);
+        let kind = kind.ok_or_else(|| {
+            let known: Vec<_> = FindingKind::all().map(keyword).collect();
+            Failure::argument(format!(
+                "there is no limit {name:?}; limits are {}",
+                known.join(", ")
+            ))
+        })?;
+        let limit = limit.map(|limit| limit / scale(kind, half_size));
         of.set(kind, limit.unwrap_or(kind.limit().default))?;
     }
     Ok(of)
@@ -51,7 +69,7 @@ fn replacing(path: CameraPath) -> Edit {
 }
 
 /// Where the camera rests: point, orientation, limit.
-pub(crate) type Rests = Vec<(usize, usize, &'static str)>;
+pub(crate) type Rests = Vec<(usize, usize, String)>;
 
 /// Recomputes the speed of points; returns their duration and where the camera rests.
 pub(crate) fn retimed(
@@ -62,14 +80,18 @@ pub(crate) fn retimed(
     go_on: Progress<'_>,
 ) -> Planned<(f64, Rests)> {
     let request = Request {
-        limits: limits(document.info().limits, given)?,
+        limits: limits(
+            document.info().limits,
+            given,
+            document.path().space.half_size,
+        )?,
         fps: document.info().fps,
         points: Some(points),
         seconds,
     };
     let made = retime(document.path(), &request, go_on)?;
     let rests = made.rests.iter();
-    let rests = rests.map(|rest| (rest.point, rest.orientation, rest.limit.name()));
+    let rests = rests.map(|rest| (rest.point, rest.orientation, keyword(rest.limit)));
     let told = (made.seconds, rests.collect());
     Ok((replacing(made.path), told))
 }
@@ -102,7 +124,7 @@ impl Given<'_> {
 
 impl Source {
     /// The object of a mesh file, of a `.vid` file, or of a mesh.
-    fn object(self) -> Result<Object> {
+    pub(crate) fn object(self) -> Result<Object> {
         Ok(match self {
             Self::File(file) if Format::of(&file).is_some() => document::load_object(&file)?,
             Self::File(file) => Document::load_scene(&file)?.0.info().object.clone(),

@@ -102,6 +102,13 @@ fn extrapolation(name: &str) -> Result<Extrapolation> {
     })
 }
 
+/// The smoothest interpolation that fits a channel.
+fn smoothest(channel: &Channel) -> Result<Interpolation> {
+    let fits = |name: &&str| Interpolation::names(Some(channel)).any(|known| known == *name);
+    let name = ["cubic", "catmull-rom"].into_iter().find(fits);
+    Ok(Interpolation::parse(name.unwrap_or("step"))?)
+}
+
 /// Makes a warning an error: Python has no host functions that may fail.
 fn told(warnings: Warnings) -> Result<()> {
     warnings
@@ -310,7 +317,7 @@ impl Scene {
         py: Python<'_>,
         node: usize,
         channel: &str,
-        interpolation: &str,
+        interpolation: Option<&str>,
         frames: PyReadonlyArray1<'_, f64>,
         values: PyReadonlyArray2<'_, f64>,
         shape: PyReadonlyArray1<'_, f64>,
@@ -318,9 +325,14 @@ impl Scene {
         after: &str,
     ) -> Result<()> {
         let values = values.as_array().iter().copied().collect();
+        let channel = Channel::parse(channel)?;
+        let interpolation = match interpolation {
+            Some(name) => Interpolation::parse(name)?,
+            None => smoothest(&channel)?,
+        };
         let track = Track::new(
-            Channel::parse(channel)?,
-            Interpolation::parse(interpolation)?,
+            channel,
+            interpolation,
             arrays::numbers(&frames),
             values,
             arrays::numbers(&shape),

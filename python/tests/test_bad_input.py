@@ -49,7 +49,7 @@ def path() -> vides.Path:
 
 def scene() -> vides.Scene:
     made = vides.Scene.of_path(path())
-    made.add("cube", "object").set_mesh(np.eye(3))
+    made.add("cube", "object").set_mesh((np.eye(3), []))
     return made
 
 
@@ -181,7 +181,7 @@ def test_nothing_is_half_done() -> None:
         lambda: setattr(path, "fps", 0),
         lambda: setattr(path, "closed", "yes"),
         lambda: path.set_frames(1),
-        lambda: path.tool("repeat", times=10**9),
+        lambda: path.repeat(10**9),
         lambda: path.set_space((0, 0, 0), -1),
         lambda: path.divide(7),
         lambda: path.points.move(0, 3),
@@ -237,8 +237,15 @@ def test_what_takes_several_values_is_one_step() -> None:
         lambda path: path.set_space((1, 1, 1), 9, fit=True),
         lambda path: setattr(path, "up", "z"),
         lambda path: path.reverse(),
-        lambda path: path.tool("repeat", times=2),
-        lambda path: path.tool("turn", axis="y", angle=30),
+        lambda path: path.repeat(2),
+        lambda path: path.turn("y", 30),
+        lambda path: path.transform(np.diag([2, 2, 2, 1])),
+        lambda path: path.insert_path(path),
+        lambda path: path.look_at(path.positions + 1),
+        lambda path: setattr(path, "zooms", [30, 40, 50, 60]),
+        lambda path: setattr(path, "rolls", 5),
+        lambda path: setattr(path, "times", [0, 1, 3, 4]),
+        lambda path: path.set_object(wall),
         lambda path: path.retime(speed=0.5, acceleration=2),
         lambda path: path.avoid(0.2, object=wall),
         lambda path: path.steady(1),
@@ -329,7 +336,7 @@ COUNTS: list[tuple[Callable[[vides.Path], object], str]] = [
     (lambda path: vides.Path([[0, 0, 0], [1, 0, 0]], up=(0, 0, 1)), r'^up must be "y" or "z", not \(0, 0, 1\)'),  # type: ignore[arg-type]
     (lambda path: setattr(path, "up", [0, 0, 1]), r'^up must be "y" or "z", not \[0, 0, 1\]'),
     (lambda path: vides.Path([[0, 0, 0], [1, 0, 0]], curve=3), "^curve must be a text, not int"),  # type: ignore[arg-type]
-    (lambda path: path.tool(1), "^name must be a text, not int"),  # type: ignore[arg-type]
+    (lambda path: path.turn(1), "^axis must be a text, not int"),  # type: ignore[arg-type]
     (lambda path: path.set_space((0, 0, 0), "1"), "^half_size must be a number, not str"),  # type: ignore[arg-type]
 ]
 
@@ -362,12 +369,8 @@ def test_a_folder_is_written_only_where_it_is_asked_for(tmp_path: File) -> None:
 
 def test_messages_speak_of_python() -> None:
     path = vides.Path()
-    with pytest.raises(vides.Error, match="tools are orbit") as raised:
-        path.tool("xx")
-    told = str(raised.value).split("tools are ")[1].split(", ")
-    assert told == [tool.name for tool in vides.tools()]
-    with pytest.raises(vides.Error, match=r"it takes .*\bfrom_,"):
-        path.tool("orbit", x=3)
+    with pytest.raises(TypeError, match=r"^Path\.orbit\(\) got an unexpected keyword argument 'x'"):
+        vides.Path.orbit(x=3)  # type: ignore[call-arg]
     path.save("flight.vid")
     File("odd.dat").write_bytes(b"\x00\x01")
     with pytest.raises(vides.Error, match="name it, with target_format="):

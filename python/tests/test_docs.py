@@ -37,8 +37,10 @@ def test_examples_of_classes(name: str) -> None:
 def test_names_are_those_by_which_people_reach_things() -> None:
     for name in CLASSES:
         assert NAMES[name].__module__ == "vides" and repr(NAMES[name]) == f"<class 'vides.{name}'>"
-    for private in (*vars(vides.Path).values(), *vars(vides.Path.__mro__[1]).values()):
-        if inspect.isfunction(private):
-            assert private.__qualname__.startswith("Path."), private
+    for base in vides.Path.__mro__[:-2]:
+        for member in vars(base).values():
+            private = getattr(member, "__func__", member)
+            if inspect.isfunction(private):
+                assert private.__qualname__.startswith("Path."), private
     with pytest.raises(TypeError, match=r"^Path\.retime\(\) got an unexpected keyword"):
         vides.Path().retime(speeds=1)  # type: ignore[call-arg]

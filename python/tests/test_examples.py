@@ -60,6 +60,15 @@ def test_a_camera_flies_through_pyvista(tmp_path: File) -> None:
 
 
 @pytest.mark.large
+def test_a_film_is_made(tmp_path: File) -> None:
+    import imageio.v3 as imageio
+
+    film = imageio.imread(example("pyvista_film").main(str(tmp_path / "flight.gif"), 1)).astype(int)
+    assert len(film) == 20
+    assert all(np.abs(before - after).mean() > 1 for before, after in zip(film, film[1:]))
+
+
+@pytest.mark.large
 def test_a_surface_is_drawn_along_a_path(tmp_path: File) -> None:
     from PIL import Image
 

@@ -133,7 +133,6 @@ PLANS = {
     "avoid": "path.avoid(0.2, object=ball)",
     "picture": "path.keep_in_picture(object=ball)",
     "steady": "path.steady(3)",
-    "tool": "path.tool('steady', period=3)",
     "tour": "vides.tour(ball)",
     "fix": "path.fix()",
 }

@@ -72,8 +72,11 @@ def test_poses_of_quaternions(samples: vides.Samples, convention: Convention) ->
     m = matrices[good]
     axis = np.stack([m[:, 2, 1] - m[:, 1, 2], m[:, 0, 2] - m[:, 2, 0], m[:, 1, 0] - m[:, 0, 1]], 1)
     q = np.c_[w[good], axis / (4 * w[good, np.newaxis])]
-    again = vides.Samples.of(samples.positions[good], q, samples.zoom[good], 25, convention)
+    places, zooms = samples.positions[good], samples.zoom[good]
+    again = vides.Samples.from_quaternions(places, q, zooms, 25, convention)
     np.testing.assert_allclose(again.array, samples.array[good], atol=1e-9)
+    last = vides.Samples.from_quaternions(places, q[:, [1, 2, 3, 0]], zooms, 25, convention, scalar_first=False)
+    np.testing.assert_array_equal(last.array, again.array)
 
 
 def test_fields_of_view() -> None:
@@ -166,3 +169,91 @@ def test_a_list_that_becomes_a_list_keeps_its_times(tmp_path: Path) -> None:
     assert not any("begin at" in line for line in told)
     rows = (tmp_path / "b.euroc").read_text().splitlines()[1:]
     assert np.allclose([int(row.split(",")[0]) / 1e9 for row in rows], stamps, rtol=0, atol=5e-6)
+
+
+class Turned:
+    """As a rotation of SciPy."""
+
+    def __init__(self, matrices: np.ndarray) -> None:
+        self.matrices = matrices
+
+    def as_matrix(self) -> np.ndarray:
+        return self.matrices
+
+
+@pytest.mark.parametrize("convention", get_args(Convention))
+def test_poses_of_matrices(samples: vides.Samples, convention: Convention) -> None:
+    matrices = samples.matrices(convention)
+    for given in (matrices, matrices[:, :3]):
+        again = vides.Samples.from_matrices(given, samples.zoom, convention=convention)
+        np.testing.assert_allclose(again.array, samples.array, atol=1e-12)
+    inverse = samples.world_to_camera(convention)
+    np.testing.assert_allclose(inverse, np.linalg.inv(matrices), atol=1e-12)
+    again = vides.Samples.from_matrices(inverse, samples.zoom, convention=convention, world_to_camera=True)
+    np.testing.assert_allclose(again.array, samples.array, atol=1e-12)
+    turned = Turned(matrices[:, :3, :3])
+    again = vides.Samples.from_rotation(samples.positions, turned, samples.zoom, 25, convention)
+    np.testing.assert_allclose(again.array, samples.array, atol=1e-12)
+
+
+@pytest.mark.large
+def test_rotations_of_scipy(samples: vides.Samples) -> None:
+    from scipy.spatial.transform import Rotation
+
+    turned = Rotation.from_matrix(samples.matrices("opencv")[:, :3, :3])
+    again = vides.Samples.from_rotation(samples.positions, turned, samples.zoom, convention="opencv")
+    np.testing.assert_allclose(again.array, samples.array, atol=1e-9)
+    again = vides.Samples.from_quaternions(
+        samples.positions, turned.as_quat(), samples.zoom, convention="opencv", scalar_first=False
+    )
+    np.testing.assert_allclose(again.array, samples.array, atol=1e-9)
+
+
+def test_pixels_of_a_pinhole_camera(samples: vides.Samples) -> None:
+    samples.zoom[:] = np.linspace(20, 90, 150)
+    width, height = 1920, 1080
+    k = samples.intrinsics(width, height)
+    # A place at the upper right corner of the picture: half the field of view up, as far as wide to the right.
+    up = np.tan(np.radians(samples.fov) / 2)[:, np.newaxis]
+    right = np.cross(samples.view, samples.up)
+    corner = samples.positions + 7 * (samples.view + up * samples.up + up * width / height * right)
+    seen = k @ samples.world_to_camera("opencv")[:, :3] @ np.c_[corner, np.ones(150)][..., np.newaxis]
+    np.testing.assert_allclose(seen[:, :2, 0] / seen[:, 2:, 0], np.tile([width, 0.0], (150, 1)), atol=1e-6)
+    np.testing.assert_allclose(seen[:, 2, 0], 7)
+    projection = samples.projection(width / height, 2, 50)
+    clip = projection @ samples.world_to_camera("opengl") @ np.c_[corner, np.ones(150)][..., np.newaxis]
+    np.testing.assert_allclose(clip[:, :2, 0] / clip[:, 3:, 0], np.ones((150, 2)), atol=1e-9)
+    for depth, z in ((2, -1), (50, 1)):
+        ahead = samples.positions + depth * samples.view
+        clip = projection @ samples.world_to_camera("opengl") @ np.c_[ahead, np.ones(150)][..., np.newaxis]
+        np.testing.assert_allclose(clip[:, 2, 0] / clip[:, 3, 0], z, atol=1e-9)
+    again = vides.Samples.from_matrices(samples.matrices("opencv"), convention="opencv", intrinsics=k, height=height)
+    np.testing.assert_allclose(again.zoom, samples.zoom, rtol=1e-12)
+
+
+@pytest.mark.parametrize("name", [f.name for f in vides.formats() if f.reads and f.writes and f.name != "vid"])
+def test_poses_are_saved(samples: vides.Samples, name: str) -> None:
+    samples.save("out", name)
+    again = vides.Samples.load("out", name) if name not in SCENES else vides.Scene.load("out", name).sample().poses
+    assert len(again) == 150
+    off = again.positions - samples.positions
+    # Some formats have z up, and turn the world.
+    if samples.world_up == again.world_up or again.world_up is None:
+        np.testing.assert_allclose(off, 0, atol=1e-4 * np.abs(samples.positions).max())
+        np.testing.assert_allclose(again.view, samples.view, atol=1e-4)
+
+
+# They have nodes, not a list of poses.
+SCENES = {"gltf", "glb", "usda"}
+
+
+def test_times_of_poses_are_saved() -> None:
+    samples = vides.Path(POSITIONS, look_at=(0, 0, 0), frames=50).evaluate([1, 2.5, 3, 17.25, 50])
+    assert samples.save("poses.tum", "tum") == ["the field of view is left out"]
+    again = vides.Samples.load("poses.tum")
+    np.testing.assert_allclose(again.seconds, samples.seconds, atol=1e-5)
+    np.testing.assert_allclose(again.positions, samples.positions, atol=1e-6)
+    with pytest.raises(FileNotFoundError):
+        samples.save("missing/poses.csv")
+    with pytest.raises(ValueError, match="poses|empty|no "):
+        samples[:0].save("none.csv")

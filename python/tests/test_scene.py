@@ -23,7 +23,7 @@ def scene() -> vides.Scene:
     cube = scene.add("cube", "object", parent="arm")
     cube.position = (0, 0, 2)
     corners = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)], dtype=float)
-    cube.set_mesh(corners, [[0, 1, 2], [1, 3, 2]], [[4, 5]])
+    cube.set_mesh((corners, [[0, 1, 2], [1, 3, 2]]), [[4, 5]])
     lamp = scene.add("lamp", "spot")
     lamp.colour = (1, 0.5, 0.25)
     lamp.cone = [10, 20]

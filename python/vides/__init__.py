@@ -17,14 +17,14 @@ it; :func:`convert` converts files of other programs, :func:`edit` opens the win
 
 import inspect as _inspect
 
-from ._error import Error, NoFile, NoIndex, SystemRefused
+from ._error import Error, Invalid, NoDisplay, NoFile, NoIndex, NoMemory, NoName, SystemRefused
 from ._files import Format, convert, formats, options
 from ._path import Path
 from ._planned import Tour, progress, tour
 from ._points import Orientation, Orientations, Point, Points, Section
 from ._samples import Samples
 from ._scene import Keys, Motion, Node, Scene, State
-from ._told import SVG, Detour, Finding, FitReport, Framed, Property, Rest, Retimed, Steadied, Tool, properties, tools
+from ._told import SVG, Detour, Finding, FitReport, Framed, Property, Rest, Retimed, Steadied, properties
 from ._window import edit
 
 __version__ = "1.0.0"
@@ -37,10 +37,14 @@ __all__ = [
     "FitReport",
     "Format",
     "Framed",
+    "Invalid",
     "Keys",
     "Motion",
+    "NoDisplay",
     "NoFile",
     "NoIndex",
+    "NoMemory",
+    "NoName",
     "Node",
     "Orientation",
     "Orientations",
@@ -56,7 +60,6 @@ __all__ = [
     "State",
     "Steadied",
     "SystemRefused",
-    "Tool",
     "Tour",
     "convert",
     "edit",
@@ -64,7 +67,6 @@ __all__ = [
     "options",
     "progress",
     "properties",
-    "tools",
     "tour",
 ]
 

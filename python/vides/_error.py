@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import errno
+from typing import Any
 
 
 class Error(Exception):
     """The call failed and changed nothing.
 
-    Its ``str()`` is one sentence that names the place and the reason. As everywhere in Python,
-    wrong types raise ``TypeError``, indices beyond a sequence ``IndexError``, and unknown
-    attributes ``AttributeError``. An error of the system is also an ``OSError``, a missing file
-    also a ``FileNotFoundError``, a point that was removed also an ``IndexError``.
+    Its ``str()`` is one sentence that names the place and the reason. Each error is also one of
+    Python's: :class:`Invalid` a ``ValueError``, :class:`NoName` a ``KeyError``, :class:`NoIndex` an
+    ``IndexError``, :class:`SystemRefused` an ``OSError``, :class:`NoFile` a
+    ``FileNotFoundError``, :class:`NoMemory` a ``MemoryError``, :class:`NoDisplay` a
+    ``RuntimeError``. As everywhere in Python, wrong types raise ``TypeError`` and unknown
+    attributes ``AttributeError``.
 
     ``kind`` is ``"argument"``, ``"range"``, ``"limit"`` (too many), ``"memory"``, ``"io"`` (the
     system refused), ``"format"`` (a file's content) or ``"display"`` (no window). ``place`` (a
@@ -20,7 +23,7 @@ class Error(Exception):
     >>> path = Path()
     >>> try:
     ...     path.points[1].zoom = 5000
-    ... except Error as error:
+    ... except ValueError as error:
     ...     print(error.kind, "-", error)
     argument - zoom: zoom must lie between 1 and 2000
     """
@@ -50,8 +53,23 @@ class Error(Exception):
     def __str__(self) -> str:
         return str(self.args[0])
 
-    def __reduce__(self) -> tuple[type[Error], tuple[str, str, str | None, int | None]]:
-        return type(self), (str(self), self.kind, self.place, self.line)
+    def __reduce__(self) -> tuple[Any, ...]:
+        # What is set later, such as errno, is kept.
+        return type(self), (str(self), self.kind, self.place, self.line), self.__dict__ | _of_system(self)
+
+    def __setstate__(self, state: dict[str, Any] | None) -> None:
+        for name, value in (state or {}).items():
+            setattr(self, name, value)
+
+
+def _of_system(error: BaseException) -> dict[str, Any]:
+    if not isinstance(error, OSError):
+        return {}
+    return {"errno": error.errno, "filename": error.filename}
+
+
+class Invalid(Error, ValueError):
+    """A value that is not allowed, or a file whose content is not."""
 
 
 class SystemRefused(Error, OSError):
@@ -66,14 +84,30 @@ class NoIndex(Error, IndexError):
     """A missing point or orientation."""
 
 
+class NoName(Error, KeyError):
+    """A missing node."""
+
+
+class NoMemory(Error, MemoryError):
+    """Memory ran out."""
+
+
+class NoDisplay(Error, RuntimeError):
+    """No window can be shown."""
+
+
+_KINDS: dict[str, type[Error]] = {"memory": NoMemory, "display": NoDisplay}
+_MISSING: dict[str, type[Error]] = {"index": NoIndex, "name": NoName}
+
+
 def error_of(
-    sentence: str, kind: str, place: str | None, line: int | None, number: int | None, no_index: bool
+    sentence: str, kind: str, place: str | None, line: int | None, number: int | None, missing: str | None
 ) -> Error:
     """The exception for an error of the engine; ``number`` is the system's errno."""
-    if no_index:
-        return NoIndex(sentence, kind, place, line)
+    if missing is not None:
+        return _MISSING[missing](sentence, kind, place, line)
     if kind != "io":
-        return Error(sentence, kind, place, line)
+        return _KINDS.get(kind, Invalid)(sentence, kind, place, line)
     error = (NoFile if number == errno.ENOENT else SystemRefused)(sentence, kind, place, line)
     error.errno, error.filename = number, place
     return error

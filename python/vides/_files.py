@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from . import _vides
 from ._arrays import str_or_none
-from ._error import Error
+from ._error import Invalid
 
 class Format(NamedTuple):
     """A file format."""
@@ -110,5 +110,5 @@ def path_of(file: str | os.PathLike[str]) -> str:
     if not isinstance(name, str):
         raise TypeError("a file name must be a text or a pathlib.Path, not bytes")
     if "\0" in name:
-        raise Error("a file name must not contain NUL")
+        raise Invalid("a file name must not contain NUL")
     return name

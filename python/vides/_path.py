@@ -5,35 +5,42 @@ from __future__ import annotations
 import html
 import operator
 import os
+import pathlib
 from collections.abc import Sequence
-from typing import Any, ClassVar, Literal
+from typing import TYPE_CHECKING, Any, ClassVar, Literal
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _vides
-from ._arrays import Array, Vector, axis, count, doubles, frozen, number, str_of, str_or_none, vector
-from ._error import Error
+from ._arrays import Array, axis, count, doubles, each, number, places, str_of, str_or_none, vector
+from ._error import Invalid
 from ._files import choices, path_of
-from ._planned import Planned
-from ._points import Points, Section, bare_keys, index_of
+from ._objects import Object, given
+from ._points import Section
+from ._rendered import Plotter, render
 from ._samples import Samples
+from ._shaped import Axis, Shaped
 from ._told import SVG, Finding, FitReport
 
+if TYPE_CHECKING:
+    from typing_extensions import Self
+
 Curve = Literal["tcb", "centripetal", "chordal", "cubic", "linear"]
-Axis = Literal["y", "z"]
 
 
-class Path(Planned):
+class Path(Shaped):
     """A camera path: points in space, each with one or more camera orientations.
 
     Without arguments it is the path of a new window, with two points. Points and orientations count
     from 0, frames from 1.
 
-    ``positions``, shape (n, 3) with n ≥ 2, are the points, in the world's lengths. All cameras look
-    at ``look_at`` (3,), by default along −z, or −x if ``up`` is z. ``frames`` is the number of
-    poses, ``n * fps`` for a film of n seconds; by default it follows from the base speeds.
-    ``zoom`` is a focal length in mm (24: a vertical field of view of 53°). ``curve`` is ``"tcb"``
+    ``positions``, shape (n, 3) with n ≥ 2, are the points, in the world's lengths. The cameras look
+    at ``look_at``, one place (3,) or one a point (n, 3), by default along −z, or −x if ``up`` is z.
+    ``frames`` is the number of poses, ``n * fps`` for a film of n seconds; by default it follows
+    from the base speeds. Instead, ``times`` (n,) are the seconds at which the camera reaches the
+    points. ``zoom`` is a focal length in mm (24: a vertical field of view of 53°) and ``roll`` an
+    angle in degrees, for all points or one a point (n,). ``curve`` is ``"tcb"``
     (Kochanek–Bartels), ``"centripetal"`` or ``"chordal"`` (the same, without loops where points are
     close together), ``"cubic"`` (a spline with continuous second derivatives) or ``"linear"``.
 
@@ -44,6 +51,34 @@ class Path(Planned):
     (500, 3)
     >>> path
     <vides.Path: 100 points, 500 frames, closed>
+
+    Orbit an object, a mesh of trimesh or pyvista, a file, or vertices and triangles:
+
+    >>> mesh = [[-1, 0, 0], [1, 0, 0], [0, 2, 0], [0, 0, 1]], [[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]]
+    >>> orbit = Path.orbit(object=mesh, turns=2, seconds=20, fps=30)
+    >>> orbit.zooms = 35
+    >>> orbit.frame_count, [finding.text for finding in orbit.check()]
+    (600, [])
+
+    Clean a recording, here one that shakes: fit a path to its poses, then stabilise it.
+
+    >>> t = np.arange(200)
+    >>> poses = np.tile([0, 0, 0, 0, 0, -1, 0, 1, 0, 24.0], (200, 1))
+    >>> poses[:, 0], poses[:, 1] = t / 50, 0.01 * np.sin(2 * t)
+    >>> recorded = Path.fit(Samples(poses, fps=25), tolerance=0.005)
+    >>> moved = recorded.steady(seconds=1, within=0.05)
+    >>> clean = recorded.sample().positions
+    >>> bool(abs(clean[25:-25, 1]).max() < 0.003), bool(moved.furthest <= 0.05)
+    (True, True)
+
+    Cameras for Gaussian splats: views that show an object, as OpenCV's matrices or a file.
+
+    >>> views = tour(mesh, stills=True).path.sample()
+    >>> world_to_camera = views.world_to_camera("opencv")
+    >>> K = views.intrinsics(1920, 1080)
+    >>> world_to_camera.shape[1:], K.shape[1:]
+    ((4, 4), (3, 3))
+    >>> losses = views.save("transforms.json", "nerfstudio", size=(1920, 1080))
 
     Properties of the whole path are attributes, with the names of the keys in ``.vid`` files:
     ``fps``, ``title``, ``comment``, ``closed``, ``curve``, ``orientation_mode``,
@@ -81,34 +116,50 @@ class Path(Planned):
         self,
         positions: npt.ArrayLike | None = None,
         *,
-        look_at: Vector | None = None,
+        look_at: npt.ArrayLike | None = None,
         up: Axis = "y",
         closed: bool = False,
         frames: int | None = None,
-        zoom: float = 24.0,
+        times: npt.ArrayLike | None = None,
+        zoom: npt.ArrayLike = 24.0,
+        roll: npt.ArrayLike = 0.0,
         curve: Curve = "tcb",
         fps: float = 25.0,
     ) -> None:
         if positions is None:
-            others = (up, closed, frames, zoom, curve, fps)
-            if look_at is not None or others != ("y", False, None, 24.0, "tcb", 25.0):
-                raise Error("positions are missing: the other arguments require them")
-            native = _vides.Document()
-        else:
-            places = doubles(positions, (None, 3), "positions")
-            if len(places) < 2:
-                raise Error(f"a path needs at least two points, not {len(places)}", "range")
-            native = _vides.Document.through(
-                places,
-                None if look_at is None else vector(look_at, "look_at"),
-                axis(up),
-                bool(closed),
-                None if frames is None else count(frames, "frames"),
-                number(zoom, "zoom"),
-                str_of(curve, "curve"),
-                number(fps, "fps"),
-            )
-        self._set(native)
+            others = (look_at, up, closed, frames, times, zoom, roll, curve, fps)
+            usual = (None, "y", False, None, None, 24.0, 0.0, "tcb", 25.0)
+            if any(one is not other and (isinstance(one, np.ndarray) or one != other) for one, other in zip(others, usual)):
+                raise Invalid("positions are missing: the other arguments require them")
+            self._set(_vides.Document())
+            return
+        points = doubles(positions, (None, 3), "positions")
+        if len(points) < 2:
+            raise Invalid(f"a path needs at least two points, not {len(points)}", "range")
+        if frames is not None and times is not None:
+            raise TypeError("Path() takes either frames or times")
+        zooms = each(zoom, len(points), "zoom")
+        targets = None if look_at is None else places(look_at, len(points), "look_at")
+        native = _vides.Document.through(
+            points,
+            None if targets is None else vector(targets[0], "look_at"),
+            axis(up),
+            bool(closed),
+            None if frames is None else count(frames, "frames"),
+            float(zooms[0]),
+            str_of(curve, "curve"),
+            number(fps, "fps"),
+        )
+        if targets is not None and len(targets) > 1:
+            _vides.look_at(native, targets, None)
+        if (zooms != zooms[0]).any():
+            _vides.set_numbers(native, "zoom", zooms)
+        rolls = each(roll, len(points), "roll")
+        if rolls.any():
+            _vides.set_numbers(native, "roll", rolls)
+        if times is not None:
+            _vides.set_times(native, doubles(times, (len(points),), "times"))
+        self._set(native.copy())
 
     def _set(self, native: _vides.Document, losses: Sequence[str] = ()) -> None:
         object.__setattr__(self, "_native", native)
@@ -116,7 +167,7 @@ class Path(Planned):
         object.__setattr__(self, "fit_report", None)
 
     @classmethod
-    def _of(cls, native: _vides.Document, losses: Sequence[str] = ()) -> Path:
+    def _of(cls, native: _vides.Document, losses: Sequence[str] = ()) -> Self:
         path = cls.__new__(cls)
         path._set(native, losses)
         return path
@@ -127,22 +178,10 @@ class Path(Planned):
     def _prefix(self) -> str:
         return ""
 
-    def __getattr__(self, name: str) -> Any:
-        value = super().__getattr__(name)
-        if value is None:
-            # Properties with parts, such as base_speeds and presets.
-            parts = [key for key, _ in self._native.properties() if key.startswith(f"{name}.")]
-            if parts:
-                return {key[len(name) + 1 :]: self._native.property(key) for key in parts}
-        return value
-
-    def _keys(self) -> list[str]:
-        return bare_keys("path")
-
     # ---- Files --------------------------------------------------------------------------
 
     @classmethod
-    def load(cls, file: str | os.PathLike[str], format: str | None = None, **options: object) -> Path:
+    def load(cls, file: str | os.PathLike[str], format: str | None = None, **options: object) -> Self:
         """The path in a ``.vid`` file or in another program's file.
 
         Poses are fitted by a path of few points, within ``tolerance`` (a length; by default 1/1000
@@ -157,7 +196,7 @@ class Path(Planned):
         return cls._of(scene.path(), losses)
 
     @classmethod
-    def from_str(cls, text: str) -> Path:
+    def from_str(cls, text: str) -> Self:
         """The path in the text of a ``.vid`` file, as :meth:`to_str` returns it.
 
         >>> path = Path()
@@ -195,17 +234,40 @@ class Path(Planned):
         """The text of a ``.vid`` file."""
         return self._native.text()
 
-    def copy(self) -> Path:
+    def copy(self) -> Self:
         """An independent copy, without the undo history."""
-        return type(self)._of(self._native.copy(), self.losses)
+        twin = type(self)._of(self._native.copy(), self.losses)
+        twin.fit_report = self.fit_report
+        return twin
 
     __copy__ = copy
 
-    def __deepcopy__(self, memo: object) -> Path:
+    def __deepcopy__(self, memo: object) -> Self:
         return self.copy()
 
-    def __reduce__(self) -> tuple[Any, tuple[str]]:
-        return type(self).from_str, (self.to_str(),)
+    def __reduce__(self) -> tuple[Any, tuple[str], dict[str, Any]]:
+        return type(self).from_str, (self.to_str(),), {"losses": self.losses, "fit_report": self.fit_report}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        for name, value in state.items():
+            object.__setattr__(self, name, value)
+
+    def __getitem__(self, part: slice) -> Self:
+        """A part of the path, a path of its own: ``path[2:5]`` has the points 2, 3 and 4.
+
+        >>> path = Path([[0, 0, 0], [1, 0, 0], [2, 1, 0], [3, 1, 0]], frames=301)
+        >>> path[1:3].positions
+        array([[1., 0., 0.],
+               [2., 1., 0.]])
+        """
+        if not isinstance(part, slice):
+            raise TypeError(f"a part of a path is a slice, path[2:5]; path.points[{part!r}] is a point")
+        first, end, step = part.indices(len(self.points))
+        if step != 1:
+            raise Invalid(f"a part of a path has all its points: the step must be 1, not {step}")
+        if end - first < 2:
+            raise Invalid(f"a path needs at least two points: from {first} to before {end} it has too few", "range")
+        return type(self)._of(_vides.extract(self._native, first, end - 1))
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Path):
@@ -217,86 +279,6 @@ class Path(Planned):
     def __repr__(self) -> str:
         closed = ", closed" if self.closed else ""
         return f"<vides.Path: {len(self.points)} points, {self.frame_count} frames{closed}>"
-
-    # ---- Points -------------------------------------------------------------------------
-
-    @property
-    def points(self) -> Points:
-        """Its points."""
-        return Points(self)
-
-    @property
-    def positions(self) -> Array:
-        """(n, 3): the positions of all points, a read-only copy. Assign an array to move them.
-
-        >>> path = Path()
-        >>> path.positions = path.positions * 2
-        >>> path.positions[0]
-        array([-1.2,  0.4,  1.6])
-        """
-        return frozen(self._native.positions())
-
-    @positions.setter
-    def positions(self, positions: npt.ArrayLike) -> None:
-        self._native.set_positions(doubles(positions, (None, 3), "positions"))
-
-    @property
-    def up(self) -> str:
-        """The up axis, ``"y"`` or ``"z"``; setting it keeps all poses."""
-        return self._native.space()[2]
-
-    @up.setter
-    def up(self, up: Axis) -> None:
-        self._native.edit("change_up", up=axis(up))
-
-    @property
-    def space(self) -> tuple[Array, float]:
-        """Centre (3,) and half the edge of the space, a cube; see :meth:`set_space`."""
-        centre, half_size, _ = self._native.space()
-        return np.array(centre), half_size
-
-    def set_space(self, centre: Vector, half_size: float, fit: bool = False) -> None:
-        """Sets the cube in which the path lies; with ``fit`` the path is mapped into it."""
-        self._native.set_space(vector(centre, "centre"), number(half_size, "half_size"), self.up, bool(fit))
-
-    def look_at(self, target: Vector) -> None:
-        """Makes all orientations of all points look at a place, as one undo step.
-
-        >>> path = Path()
-        >>> path.look_at((0, 0, 0))
-        >>> path.points[1].target
-        (0.0, 0.0, 0.0)
-        """
-        self._native.look_at(vector(target, "target"), None)
-
-    def divide(self, segment: int, points: int = 1) -> None:
-        """Adds 1 to 10 points on the curve between point ``segment`` and the next."""
-        self._native.edit(
-            "divide", segment=count(segment, "segment"), points=count(points, "points")
-        )
-
-    def insert_on_curve(self, frame: float) -> None:
-        """Adds a point on the curve where the camera is at a frame; the flight is unchanged.
-
-        The tangents that keep it unchanged are removed when their point or a neighbour moves.
-        """
-        self._native.edit("insert_on_curve", frame=number(frame, "frame"))
-
-    def set_frames(self, frames: int, first: int = 0, last: int = -1) -> None:
-        """Sets the exact number of poses from point ``first`` to point ``last``, both included.
-
-        >>> path = Path()
-        >>> path.set_frames(101)
-        >>> path.frame_count
-        101
-        """
-        points = len(self.points)
-        self._native.edit(
-            "fit_frames",
-            first=index_of(first, points, "point"),
-            last=index_of(last, points, "point"),
-            frames=count(frames, "frames"),
-        )
 
     # ---- Poses --------------------------------------------------------------------------
 
@@ -343,16 +325,16 @@ class Path(Planned):
         last = self.frame_count if last is None else operator.index(last)
         rows = last + 1 - first
         if first < 1 or rows < 0:
-            raise Error(f"frames {first} to {last}: the first must be at least 1 and at most the last", "range")
+            raise Invalid(f"frames {first} to {last}: the first must be at least 1 and at most the last", "range")
         if out is None:
             if last > self.frame_count:
-                raise Error(f"there is no frame {last}: the frames are 1 to {self.frame_count}", "range")
+                raise Invalid(f"there is no frame {last}: the frames are 1 to {self.frame_count}", "range")
             out = np.empty((rows, 10))
         elif not isinstance(out, np.ndarray) or out.dtype != np.float64 or out.shape != (rows, 10):
             what = f"{out.dtype} {out.shape}" if isinstance(out, np.ndarray) else type(out).__name__
-            raise Error(f"out must be an array of float64 of the shape ({rows}, 10), not {what}")
+            raise Invalid(f"out must be an array of float64 of the shape ({rows}, 10), not {what}")
         elif not (out.flags.c_contiguous and out.flags.writeable):
-            raise Error("out must be writeable and contiguous row by row (order C)")
+            raise Invalid("out must be writeable and contiguous row by row (order C)")
         self._native.sample(first, out)
         return Samples._of(out, float(self.fps), np.arange(first, last + 1.0), self.up)
 
@@ -418,8 +400,8 @@ class Path(Planned):
     def limits(self) -> dict[str, float]:
         """The limits of :meth:`check` by name, a copy; ``math.inf`` switches a kind off.
 
-        :meth:`set_limits` sets them; the file keeps them. Units are half the edge of the space,
-        degrees, seconds and mm.
+        :meth:`set_limits` sets them; the file keeps them. Units are the world's lengths, degrees,
+        seconds and mm.
 
         >>> Path().limits["turning"]
         60.0
@@ -439,28 +421,6 @@ class Path(Planned):
         self._native.set_limits(
             [(name, None if limit is None else number(limit, name)) for name, limit in limits.items()]
         )
-
-    def tool(self, name: str, path: Path | None = None, **numbers: float | str | Sequence[float]) -> None:
-        """Applies a tool, as one undo step; :func:`tools` lists them.
-
-        Parameters have the defaults of the window. The points ``first`` and ``last`` of a tool
-        count from 1, as in the window.
-
-        >>> path = Path()
-        >>> path.tool("turn", axis="y", angle=90)
-        >>> path.tool("repeat", times=2)
-        >>> Path().tool("orbit", from_=90, seconds=8)
-        >>> len(path.points)
-        3
-        """
-        given = {key.rstrip("_"): number for key, number in numbers.items()}
-        if path is not None and not isinstance(path, Path):
-            raise TypeError(f"path must be a Path, not {type(path).__name__}")
-        self._native.tool(str_of(name, "name"), given, None if path is None else path._native)
-
-    def reverse(self) -> None:
-        """Reverses the path."""
-        self._native.edit("reverse")
 
     def undo(self) -> bool:
         """Undoes the last change; false if there was none."""
@@ -482,7 +442,7 @@ class Path(Planned):
         up: Axis | None = None,
         robust: bool = False,
         points: int | None = None,
-    ) -> Path:
+    ) -> Self:
         """Fits a path of few points to recorded poses.
 
         ``poses`` are samples or an array (n, 10). ``seconds`` (n,) increase; the default is those of
@@ -513,7 +473,7 @@ class Path(Planned):
             known = None
         times = None if seconds is None else doubles(seconds, (len(array),), "seconds")
         if len(array) < 2:
-            raise Error(f"at least two poses are required, not {len(array)}", "range")
+            raise Invalid(f"at least two poses are required, not {len(array)}", "range")
         rate = 25.0 if fps is None else number(fps, "fps")
         upright = (known or "y") if up is None else axis(up)
         near = None if tolerance is None else number(tolerance, "tolerance")
@@ -529,14 +489,18 @@ class Path(Planned):
             made, given, position, view, field, noise, holds, gaps, cuts, repeated,
             tuple(left_out), better, text,
         )  # fmt: skip
-        object.__setattr__(path, "fit_report", report)
+        path.fit_report = report
         return path
 
     # ---- The object ---------------------------------------------------------------------
 
-    def set_object(self, file: str | os.PathLike[str] | None) -> None:
-        """Sets the object for display and checks: a mesh (OBJ, PLY, STL, glTF); ``None`` removes it."""
-        self._native.set_object(None if file is None else path_of(file))
+    def set_object(self, object: Object | None) -> None:
+        """Sets the object for display and checks; ``None`` removes it.
+
+        It is a file (OBJ, PLY, STL, glTF), a mesh of trimesh or pyvista, or vertices (n, 3) and
+        triangles (m, 3).
+        """
+        self._native.set_object(None if object is None else given(object))
 
     @property
     def object_points(self) -> Array:
@@ -555,6 +519,19 @@ class Path(Planned):
         '<svg'
         """
         return SVG(self._native.svg(bool(dark)))
+
+    def render(
+        self, plotter: Plotter, folder: str | os.PathLike[str], *, progress: bool = True
+    ) -> list[pathlib.Path]:
+        """Renders each frame with a ``pyvista.Plotter`` into ``folder``: ``00001.png`` and so on.
+
+        Returns the files. A bar on standard error shows the progress. A film of them, with imageio::
+
+            import imageio.v3 as imageio
+            files = path.render(plotter, "frames")
+            imageio.imwrite("flight.mp4", [imageio.imread(file) for file in files], fps=path.fps)
+        """
+        return render(self.sample(), plotter, pathlib.Path(path_of(folder)), bool(progress))
 
     def to_html(self, **options: object) -> str:
         """A page that plays the flight in a browser, offline; see :func:`options`."""

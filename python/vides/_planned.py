@@ -4,26 +4,19 @@ from __future__ import annotations
 
 import contextlib
 import inspect
-import os
 from collections.abc import Callable, Iterator
-from typing import TYPE_CHECKING, Literal, NamedTuple, Union
-
-import numpy.typing as npt
+from typing import TYPE_CHECKING, Literal, NamedTuple
 
 from . import _vides
-from ._arrays import Array, Vector, axis, corners, doubles, number, str_of, vector
-from ._error import Error
-from ._files import path_of
-from ._points import Keyed, index_of
+from ._arrays import Vector, axis, number, str_of, vector
+from ._error import Error, Invalid
+from ._keyed import Keyed, index_of
+from ._objects import Object, given
 from ._told import Detour, Framed, Rest, Retimed, Steadied
 
 if TYPE_CHECKING:
-    from ._path import Axis, Path
-
-Object = Union[str, "os.PathLike[str]", tuple[npt.ArrayLike, npt.ArrayLike]]
-"""The file of a mesh (OBJ, PLY, STL, glTF), a ``.vid`` file with an object, or points (n, 3) and
-triangles (m, 3) of their indices. Without triangles, the points are the object."""
-
+    from ._path import Path
+    from ._shaped import Axis
 
 @contextlib.contextmanager
 def progress(callback: Callable[[float], object]) -> Iterator[None]:
@@ -47,14 +40,6 @@ def progress(callback: Callable[[float], object]) -> Iterator[None]:
         _vides.set_progress(before)
 
 
-def _given(object: Object) -> str | tuple[Array, list[list[int]]]:
-    if not isinstance(object, (tuple, list)):
-        return path_of(object)
-    if len(object) != 2:
-        raise Error(f"an object is a file, or points and triangles, not {len(object)} values")
-    return doubles(object[0], (None, 3), "points"), corners(object[1], 3, "triangles")
-
-
 class Planned(Keyed):
     """The planning methods of a path. Each call is one undo step; Ctrl-C stops it."""
 
@@ -64,9 +49,11 @@ class Planned(Keyed):
 
     def __init_subclass__(cls) -> None:
         """Makes errors and help name a function by its public class."""
-        for name, function in vars(Planned).items():
-            if inspect.isfunction(function):
-                function.__qualname__ = f"{cls.__name__}.{name}"
+        for base in cls.__mro__[1:-1]:
+            for name, member in vars(base).items():
+                function = getattr(member, "__func__", member)
+                if base is not Keyed and inspect.isfunction(function):
+                    function.__qualname__ = f"{cls.__name__}.{name}"
 
     def retime(
         self,
@@ -87,12 +74,11 @@ class Planned(Keyed):
         The path becomes as fast as the limits allow, or takes exactly ``seconds``, with the lowest
         peaks. It begins and ends at rest unless it is closed. Limits default to those of the path
         (:meth:`Path.set_limits`); ``math.inf`` removes one. Units are seconds and, for ``speed``,
-        ``acceleration`` and ``jerk``, half the edge of the space; for ``turning`` and
+        ``acceleration`` and ``jerk``, the world's lengths; for ``turning`` and
         ``turning_acceleration`` degrees; for ``zoom`` mm. ``crossing`` is the least number of
         seconds in which anything may cross the picture's width.
 
         >>> path = Path([[-1, 0, 0], [1, 0, 0]])
-        >>> path.set_space((0, 0, 0), 1)
         >>> path.retime(speed=0.5, acceleration=1)
         Retimed(seconds=4.56, rests=())
         >>> path.retime(6).seconds
@@ -114,7 +100,7 @@ class Planned(Keyed):
             "crossing": crossing,
         }
         if seconds is not None and not number(seconds, "seconds") > 0:
-            raise Error(f"seconds must be greater than 0, not {seconds}")
+            raise Invalid(f"seconds must be greater than 0, not {seconds}")
         took, rests = self._native.retime(
             0.0 if seconds is None else number(seconds, "seconds"),
             index_of(first, points, "point"),
@@ -128,8 +114,8 @@ class Planned(Keyed):
 
         The camera, with a sphere of ``radius`` around it, keeps the distance ``clearance``, both in
         the world's lengths. As few points as needed are moved or added; frames and targets are
-        kept. ``object`` is a file, or points (n, 3) and triangles (m, 3); the default is that of
-        :meth:`set_object`.
+        kept. ``object`` is a file, a mesh of trimesh or pyvista, or vertices (n, 3) and triangles
+        (m, 3); the default is that of :meth:`set_object`.
 
         >>> path = Path([[-3, 0.1, 0], [3, 0, 0]], frames=101)
         >>> wall = [[0, -1, -1], [0, 1, -1], [0, 0, 1]], [[0, 1, 2]]
@@ -141,7 +127,7 @@ class Planned(Keyed):
         rows = self._native.avoid(
             number(clearance, "clearance"),
             number(radius, "radius"),
-            None if object is None else _given(object),
+            None if object is None else given(object),
         )
         return tuple(Detour(*row) for row in rows)
 
@@ -162,8 +148,8 @@ class Planned(Keyed):
         >>> bool(path.keep_in_picture(object=ball).tightest <= 1)
         True
         """
-        given = None if object is None else _given(object)
-        return Framed(*self._native.keep_in_picture(number(margin, "margin"), str_of(by, "by"), given))
+        around = None if object is None else given(object)
+        return Framed(*self._native.keep_in_picture(number(margin, "margin"), str_of(by, "by"), around))
 
     def steady(self, seconds: float, within: float | None = None) -> Steadied:
         """Stabilises a recorded flight; its first and last pose are unchanged.
@@ -178,7 +164,7 @@ class Planned(Keyed):
         True
         """
         if within is not None and not number(within, "within") > 0:
-            raise Error(f"within must be greater than 0, not {within}", "range")
+            raise Invalid(f"within must be greater than 0, not {within}", "range")
         told = self._native.steady(
             number(seconds, "seconds"), 0.0 if within is None else number(within, "within")
         )
@@ -222,8 +208,8 @@ def tour(
 ) -> Tour:
     """Plans a flight that shows an object.
 
-    ``object`` is a mesh file, a ``.vid`` file with an object, or points (n, 3) and triangles
-    (m, 3). ``coverage`` is the share of the visible surface, by area, to show. ``distance`` is the
+    ``object`` is a mesh file, a ``.vid`` file with an object, a mesh of trimesh or pyvista, or
+    vertices (n, 3) and triangles (m, 3). ``coverage`` is the share of the visible surface, by area, to show. ``distance`` is the
     distance of the camera from what it shows; by default it is chosen to fit. ``inside`` flies
     inside the object, not around it. The flight is a closed round unless it has a ``start`` (3,).
     ``stills`` returns only the views that show the object, one a frame, for pictures. Ctrl-C stops
@@ -237,7 +223,7 @@ def tour(
     from ._path import Path
 
     native, told = _vides.tour(
-        _given(object),
+        given(object),
         number(seconds, "seconds"),
         number(coverage, "coverage"),
         0.0 if distance is None else number(distance, "distance"),

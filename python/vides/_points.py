@@ -2,127 +2,27 @@
 
 from __future__ import annotations
 
-import difflib
-import functools
-import operator
-import re
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING, Any, SupportsIndex, TypeVar, overload
+from typing import TYPE_CHECKING, SupportsIndex, TypeVar, overload
 
 from . import _vides
-from ._arrays import Array, Vector, frozen, vector
-from ._error import Error
+from ._arrays import Array, Vector, doubles, frozen, vector
+from ._keyed import index_of, place_of
+from ._properties import PointProperties, ViewProperties
 
 if TYPE_CHECKING:
-    from ._path import Path
+    from ._planned import Planned
 
 _Item = TypeVar("_Item")
 
 
-def index_of(at: SupportsIndex, count: int, what: str) -> int:
-    number = operator.index(at)
-    if not -count <= number < count:
-        raise IndexError(f"there is no {what} {number}: there are {count}, counted from 0")
-    return number % count
-
-
-def place_of(at: SupportsIndex, count: int) -> int:
-    """The index before which to insert into ``count`` items, counted as by ``list.insert``."""
-    number = operator.index(at)
-    if not -count <= number <= count:
-        raise IndexError(f"there is no place {number}: there are {count}, counted from 0")
-    return number + count if number < 0 else number
-
-
-class Keyed:
-    """Attributes for the properties in the engine's table."""
-
-    __slots__ = ()
-
-    def _document(self) -> _vides.Document:
-        raise NotImplementedError
-
-    def _prefix(self) -> str:
-        raise NotImplementedError
-
-    def __getattr__(self, name: str) -> Any:
-        """A property by its key in files, with or without its unit; ``None`` if it is not set.
-
-        Lists are copies, as tuples; assign a whole one to change it.
-        """
-        if name.startswith("_"):
-            raise AttributeError(f"{type(self).__name__} has no {name}")
-        try:
-            return self._document().property(self._prefix() + name)
-        except AttributeError:
-            raise self._unknown(name) from None
-
-    def __eq__(self, other: object) -> bool:
-        """Whether both are the same item of the same path."""
-        return (
-            type(other) is type(self)
-            and isinstance(other, Keyed)
-            and other._document() is self._document()
-            and other._prefix() == self._prefix()
-        )
-
-    def __hash__(self) -> int:
-        return hash((id(self._document()), self._prefix()))
-
-    def __setattr__(self, name: str, value: Any) -> None:
-        """Sets a property; ``None`` restores the default."""
-        known = getattr(type(self), name, None)
-        if name.startswith("_") or known is not None:
-            object.__setattr__(self, name, value)
-        else:
-            self._set_key(name, value)
-
-    def _set_key(self, name: str, value: object) -> None:
-        if not isinstance(value, (str, type(None))) and name in _texts():
-            raise TypeError(f"{name} must be a text, not {type(value).__name__}")
-        try:
-            self._document().set_property(self._prefix() + name, value)
-        except AttributeError:
-            raise self._unknown(name) from None
-        except Error as error:
-            # In files points count from 1.
-            sentence = str(error).removeprefix(self._prefix())
-            place = name if error.place == self._prefix() + name else error.place
-            raise type(error)(sentence, error.kind, place, error.line) from None
-
-    def _unknown(self, name: str) -> AttributeError:
-        kind = type(self).__name__
-        if name in bare_keys("point", "view"):
-            return AttributeError(f"{kind} has no {name}: its points have", name=name, obj=self)
-        near = difflib.get_close_matches(name, dir(self), 1, 0.7)
-        meant = f": is {near[0]} meant?" if near else "; dir() lists what it has"
-        return AttributeError(f"{kind} has no {name}{meant}", name=name, obj=self)
-
-    def __dir__(self) -> list[str]:
-        return [*object.__dir__(self), *self._keys()]
-
-    def _keys(self) -> list[str]:
-        return []
-
-
-def bare_keys(*owners: str) -> list[str]:
-    """The keys of paths, points or views, without units."""
-    rows = _vides.keys()
-    return [re.sub("_(mm|degrees|frames)$", "", row[1]) for row in rows if row[0] in owners]
-
-
-@functools.cache
-def _texts() -> frozenset[str]:
-    return frozenset(row[1] for row in _vides.keys() if row[3] == "text")
-
-
-class Orientation(Keyed):
+class Orientation(ViewProperties):
     """One camera orientation at a point: what the camera looks at, and how it moves on.
 
-    Its attributes have the names of the keys in ``.vid`` files, with or without the unit:
-    ``target`` or ``offset`` (x, y, z), ``roll`` (degrees), ``zoom`` (mm, 1 to 2000), ``hold``
-    (frames), ``speed_curve`` (ten numbers, 1 to 100) and so on; :func:`vides.properties` lists
-    them.
+    Its properties are attributes: ``target`` or ``offset`` (x, y, z), ``roll`` (degrees), ``zoom``
+    (mm, 1 to 2000), ``hold`` (frames), ``speed_curve`` (ten numbers, 1 to 100) and so on.
+    ``help(vides.Orientation.zoom)`` tells meaning, unit and range of one. ``None`` restores a
+    default. Values are copies: assign a whole one to change it.
 
     >>> path = Path()
     >>> view = path.points[0].orientations[0]
@@ -136,7 +36,7 @@ class Orientation(Keyed):
 
     __slots__ = ("_owner", "_point", "_at")
 
-    def __init__(self, path: Path, point: int, at: int) -> None:
+    def __init__(self, path: Planned, point: int, at: int) -> None:
         self._owner = path
         self._point = point
         self._at = at
@@ -146,9 +46,6 @@ class Orientation(Keyed):
 
     def _prefix(self) -> str:
         return f"point.{self._point + 1}.view.{self._at + 1}."
-
-    def _keys(self) -> list[str]:
-        return bare_keys("view")
 
     @property
     def up_vector(self) -> Array:
@@ -194,7 +91,7 @@ class Orientations(_Sequence[Orientation]):
 
     __slots__ = ("_owner", "_point")
 
-    def __init__(self, path: Path, point: int) -> None:
+    def __init__(self, path: Planned, point: int) -> None:
         self._owner = path
         self._point = point
 
@@ -232,7 +129,7 @@ class Orientations(_Sequence[Orientation]):
         return f"<vides.Orientations: {len(self)} of point {self._point}>"
 
 
-class Point(Keyed):
+class Point(PointProperties, ViewProperties):
     """A point: the camera passes through it.
 
     It refers to the point by its index, so after an earlier point is removed it refers to the next
@@ -240,7 +137,7 @@ class Point(Keyed):
 
     The properties of its first orientation are also its own: ``point.zoom = 30``. It also has
     ``position``, ``name``, ``preset`` (0 to 9) or ``own`` (``{"tension": 0.5}``) for the shape of
-    the curve, and ``tangents``.
+    the curve, and ``tangents``. ``help(vides.Point.zoom)`` tells meaning, unit and range of one.
 
     >>> path = Path()
     >>> path.points[0].position = (-1, 0, 1)
@@ -252,7 +149,7 @@ class Point(Keyed):
 
     __slots__ = ("_owner", "_at")
 
-    def __init__(self, path: Path, at: int) -> None:
+    def __init__(self, path: Planned, at: int) -> None:
         self._owner = path
         self._at = at
 
@@ -261,9 +158,6 @@ class Point(Keyed):
 
     def _prefix(self) -> str:
         return f"point.{self._at + 1}."
-
-    def _keys(self) -> list[str]:
-        return bare_keys("point", "view")
 
     @property
     def index(self) -> int:
@@ -277,7 +171,7 @@ class Point(Keyed):
 
     @position.setter
     def position(self, position: Vector) -> None:
-        self._set_key("position", vector(position, "position"))
+        self._put("position", vector(position, "position"))
 
     @property
     def orientations(self) -> Orientations:
@@ -286,7 +180,7 @@ class Point(Keyed):
 
     def look_at(self, target: Vector) -> None:
         """Makes all its orientations look at a place in the world, as one undo step."""
-        self._document().look_at(vector(target, "target"), self._at)
+        _vides.look_at(self._document(), doubles(target, (3,), "target")[None], self._at)
 
     def __repr__(self) -> str:
         x, y, z = self.position
@@ -306,7 +200,7 @@ class Points(_Sequence[Point]):
 
     __slots__ = ("_owner",)
 
-    def __init__(self, path: Path) -> None:
+    def __init__(self, path: Planned) -> None:
         self._owner = path
 
     def __len__(self) -> int:
@@ -343,7 +237,7 @@ class Points(_Sequence[Point]):
         return f"<vides.Points: {len(self)}>"
 
 
-class Section(Keyed):
+class Section(ViewProperties):
     """The part of a path from one orientation to the next, at one point or on to the next point.
 
     It is a snapshot of the path at the time of the call. Its speed profile is a property of the
@@ -359,12 +253,12 @@ class Section(Keyed):
     """
 
     __slots__ = ("_owner", "_at", "_row")
-    _owner: Path
+    _owner: Planned
     _at: int
     _row: tuple[int, int, str, float, int, int, float]
 
     def __init__(
-        self, path: Path, at: int, row: tuple[int, int, str, float, int, int, float]
+        self, path: Planned, at: int, row: tuple[int, int, str, float, int, int, float]
     ) -> None:
         self._owner = path
         self._at = at
@@ -375,9 +269,6 @@ class Section(Keyed):
 
     def _prefix(self) -> str:
         return f"point.{self.point + 1}.view.{self.orientation + 1}."
-
-    def _keys(self) -> list[str]:
-        return bare_keys("view")
 
     @property
     def point(self) -> int:
@@ -408,8 +299,8 @@ class Section(Keyed):
         return self._row[4]
 
     @frames.setter
-    def frames(self, frames: int) -> None:
-        self._set_key("frames", frames)
+    def frames(self, frames: SupportsIndex | None) -> None:
+        self._put("frames", frames)
         self._row = self._document().sections()[self._at]
 
     @property

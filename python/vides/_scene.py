@@ -2,21 +2,32 @@
 
 from __future__ import annotations
 
+import difflib
 import os
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any, ClassVar, Literal, NamedTuple
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, NamedTuple, SupportsFloat
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _vides
+from ._applied import native_of
 from ._arrays import Array, Vector, axis, corners, doubles, frozen, number, str_of, str_or_none, vector
-from ._error import Error
+from ._error import Error, Invalid, NoName
 from ._files import choices, path_of
-from ._path import Axis, Path
+from ._objects import Object, given
+from ._path import Path
+from ._properties import NodeProperties
 from ._samples import Samples
+from ._shaped import Axis
+
+if TYPE_CHECKING:
+    from typing_extensions import Self
 
 Extrapolation = Literal["hold", "repeat", "pingpong", "offset"]
+
+_WIDTHS = {"position": 3, "rotation": 4, "scale": 3, "pivot": 3, "colour": 3, "cone": 2}
+"""How many numbers a value of a node has."""
 
 _BLIND = ("group", "object")
 """Kinds of nodes without a viewing direction."""
@@ -77,13 +88,13 @@ class Motion(NamedTuple):
     """For a camera or light; otherwise NaN."""
 
 
-class Node:
+class Node(NodeProperties):
     """A node of a scene, found by its name.
 
     Its values without keys are attributes: ``position`` (3,), ``rotation`` (4,) w x y z, ``scale``
     (3,), ``pivot`` (3,), ``visible``; of cameras ``zoom`` (mm), ``roll`` (degrees), ``near`` and
     ``far``; of lights and objects ``colour`` (linear red, green, blue); of lights ``intensity``
-    and ``cone`` (degrees). ``aim`` and ``parent`` are names of other nodes.
+    and ``cone`` (degrees). ``aim`` and ``parent`` are names of other nodes; assign a name or a node.
 
     >>> scene = Scene()
     >>> ball = scene.add("ball", "object")
@@ -124,21 +135,51 @@ class Node:
 
     @property
     def parent(self) -> str | None:
-        """The name of its parent; assigning one keeps the node's place in the world."""
+        """The name of its parent; assigning a node or its name keeps the node's place in the world."""
         return self._name_of(self._owner._native.nodes()[self._at][2])
 
     @parent.setter
-    def parent(self, name: str | None) -> None:
-        self._set("parent", self._owner._find(name, "parent"))
+    def parent(self, node: Node | str | None) -> None:
+        self._set("parent", self._owner._find(node, "parent"))
 
     @property
     def aim(self) -> str | None:
-        """The name of the node at which a camera or light looks."""
+        """The name of the node at which a camera or light looks; assign a node or its name."""
         return self._name_of(self._owner._native.nodes()[self._at][3])
 
     @aim.setter
-    def aim(self, name: str | None) -> None:
-        self._set("aim", self._owner._find(name, "aim"))
+    def aim(self, node: Node | str | None) -> None:
+        self._set("aim", self._owner._find(node, "aim"))
+
+    @property
+    def pivot(self) -> Array:
+        """(3,): the place about which it turns and scales, in its own coordinates; read-only."""
+        value: Array = self._get("pivot")
+        return value
+
+    @pivot.setter
+    def pivot(self, value: npt.ArrayLike) -> None:
+        self._put("pivot", value)
+
+    @property
+    def near(self) -> float:
+        """Cameras: the distance of the near clipping plane, a length greater than 0."""
+        value: float = self._get("near")
+        return value
+
+    @near.setter
+    def near(self, value: SupportsFloat) -> None:
+        self._put("near", value)
+
+    @property
+    def far(self) -> float:
+        """Cameras: the distance of the far clipping plane, greater than :attr:`near`."""
+        value: float = self._get("far")
+        return value
+
+    @far.setter
+    def far(self, value: SupportsFloat) -> None:
+        self._put("far", value)
 
     def _name_of(self, at: int | None) -> str | None:
         return None if at is None else self._owner._native.nodes()[at][0]
@@ -146,24 +187,27 @@ class Node:
     def _set(self, name: str, value: object) -> None:
         self._owner._native.set_rest(self._at, str_of(name, "name"), value)
 
-    def __getattr__(self, name: str) -> Any:
-        """A value without keys; three or more numbers are a read-only array."""
-        if name.startswith("_"):
-            raise AttributeError(f"Node has no {name}", name=name, obj=self)
-        value = self._owner._native.rest(self._at, name)
+    def _get(self, name: str) -> Any:
+        """A value without keys; several numbers are a read-only array."""
+        value = self._owner._native.rest(self._at, str_of(name, "name"))
         if value is None:
-            raise AttributeError(f"{self.kind} {self._name!r} has no {name}", name=name, obj=self)
+            raise self._unknown(name)
         return frozen(value) if isinstance(value, list) else value
 
-    def __setattr__(self, name: str, value: Any) -> None:
-        if isinstance(getattr(type(self), name, None), property):
-            object.__setattr__(self, name, value)
-            return
-        if isinstance(value, np.ndarray):
-            value = doubles(value, (None,), name).tolist()
-        elif isinstance(value, np.generic):
-            value = value.item()
-        self._set(name, value)
+    def _put(self, name: str, value: Any) -> None:
+        if str_of(name, "name") in _WIDTHS:
+            self._set(name, doubles(value, (_WIDTHS[name],), name).tolist())
+        elif name != "visible":
+            self._set(name, number(value, name))
+        elif isinstance(value, (bool, np.bool_)):
+            self._set(name, bool(value))
+        else:
+            raise TypeError(f"visible must be True or False, not {type(value).__name__}")
+
+    def _unknown(self, name: str) -> AttributeError:
+        if hasattr(type(self), name):
+            return AttributeError(f"{self.kind} {self._name!r} has no {name}", name=name, obj=self)
+        return super()._unknown(name)
 
     def value(self, channel: str, frame: float) -> Array:
         """(m,): the value of a channel at a frame, with or without keys."""
@@ -174,7 +218,7 @@ class Node:
         channel: str,
         frames: npt.ArrayLike,
         values: npt.ArrayLike,
-        interpolation: str = "cubic",
+        interpolation: str | None = None,
         *,
         shape: npt.ArrayLike = (),
         before: Extrapolation = "hold",
@@ -186,9 +230,15 @@ class Node:
         ``"scale"`` and ``"colour"``, 4 for ``"rotation"`` (w x y z), 2 for ``"cone"``, the number of
         shapes for ``"weights"``, and 1 for ``"zoom"``, ``"roll"``, ``"visible"``, ``"intensity"``
         and ``"aim_weight"``. ``interpolation`` is ``"step"``, ``"linear"``, ``"cubic"``,
-        ``"hermite"`` (``shape``: tangents before and after each key, per frame), ``"tcb"``
-        (``shape``: tension, continuity, bias of each key) and others. ``before`` and ``after``
-        define the values beyond the keys.
+        ``"catmull-rom"``, ``"hermite"`` (``shape``: tangents before and after each key, per frame), ``"tcb"``
+        (``shape``: tension, continuity, bias of each key) and others; by default the smoothest that
+        the channel allows: cubic, catmull-rom for rotations, step for ``"visible"``. ``before`` and
+        ``after`` define the values beyond the keys.
+
+        >>> lamp = Scene().add("lamp", "spot")
+        >>> lamp.set_keys("rotation", [1, 25, 50], [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]])
+        >>> lamp.keys[0].interpolation
+        'catmull-rom'
         """
         at = doubles(frames, (None,), "frames")
         array = np.asanyarray(values)
@@ -199,7 +249,7 @@ class Node:
         self._owner._native.set_keys(
             self._at,
             str_of(channel, "channel"),
-            str_of(interpolation, "interpolation"),
+            str_or_none(interpolation, "interpolation"),
             at,
             numbers,
             more,
@@ -233,29 +283,22 @@ class Node:
         self, path: Path | None, start_frame: float = 1.0, beyond: Extrapolation = "hold"
     ) -> None:
         """Follows a path from a frame on; ``beyond`` is what happens before and after it."""
-        if path is not None and not isinstance(path, Path):
-            raise TypeError(f"path must be a Path, not {type(path).__name__}")
-        native = None if path is None else path._native
+        native = None if path is None else native_of(path, "path")
         start = number(start_frame, "start_frame")
         self._owner._native.set_path(self._at, native, start, str_of(beyond, "beyond"))
 
-    def set_mesh(
-        self,
-        points: npt.ArrayLike,
-        triangles: npt.ArrayLike = (),
-        lines: npt.ArrayLike = (),
-    ) -> None:
-        """Gives an object a mesh: points (n, 3), triangles (m, 3) and lines (k, 2) of their indices."""
-        self._owner._native.set_mesh(
-            self._at,
-            doubles(points, (None, 3), "points"),
-            corners(triangles, 3, "triangles"),
-            corners(lines, 2, "lines"),
-        )
-
-    def load_mesh(self, file: str | os.PathLike[str]) -> None:
-        """Gives an object the mesh of an OBJ, PLY, STL or glTF file; saving keeps the file's name."""
-        self._owner._native.load_mesh(self._at, path_of(file))
+    def set_mesh(self, mesh: Object, lines: npt.ArrayLike = ()) -> None:
+        """Gives an object a mesh: a file (OBJ, PLY, STL, glTF), of which saving keeps the name, a mesh of
+        trimesh or pyvista, or vertices (n, 3) and triangles (m, 3). ``lines`` (k, 2) are pairs of
+        indices of the vertices, which a file has itself."""
+        found = given(mesh)
+        pairs = corners(lines, 2, "lines")
+        if isinstance(found, str):
+            if pairs:
+                raise TypeError("the mesh of a file has its own lines")
+            self._owner._native.load_mesh(self._at, found)
+        else:
+            self._owner._native.set_mesh(self._at, *found, pairs)
 
     @property
     def triangles(self) -> npt.NDArray[np.uint32]:
@@ -304,26 +347,24 @@ class Scene(Mapping[str, Node]):
         self.losses = ()
 
     @classmethod
-    def _of(cls, native: _vides.Scene, losses: Sequence[str] = ()) -> Scene:
+    def _of(cls, native: _vides.Scene, losses: Sequence[str] = ()) -> Self:
         scene = cls.__new__(cls)
         scene._native, scene.losses = native, tuple(losses)
         return scene
 
     @classmethod
-    def of_path(cls, path: Path) -> Scene:
+    def of_path(cls, path: Path) -> Self:
         """A scene with one camera that follows a path."""
-        if not isinstance(path, Path):
-            raise TypeError(f"path must be a Path, not {type(path).__name__}")
-        return cls._of(path._native.scene())
+        return cls._of(native_of(path, "path").scene())
 
     @classmethod
-    def load(cls, file: str | os.PathLike[str], format: str | None = None, **options: object) -> Scene:
+    def load(cls, file: str | os.PathLike[str], format: str | None = None, **options: object) -> Self:
         """The scene in a ``.vid`` file or another program's; see :func:`options`."""
         of = str_or_none(format, "format")
         return cls._of(*_vides.Scene.load(path_of(file), of, choices(options)))
 
     @classmethod
-    def from_str(cls, text: str) -> Scene:
+    def from_str(cls, text: str) -> Self:
         """The scene in the text of a ``.vid`` file; mesh files named in it are not read."""
         return cls._of(_vides.Scene.from_text(str_of(text, "text")))
 
@@ -342,34 +383,48 @@ class Scene(Mapping[str, Node]):
             return []
         return self._native.export(name, str_or_none(format, "format"), choices(options))
 
-    def copy(self) -> Scene:
+    def copy(self) -> Self:
         """An independent copy."""
         return type(self)._of(self._native.copy(), self.losses)
 
     __copy__ = copy
 
-    def __deepcopy__(self, memo: object) -> Scene:
+    def __deepcopy__(self, memo: object) -> Self:
         return self.copy()
 
-    def __reduce__(self) -> tuple[Any, tuple[str]]:
-        return type(self).from_str, (self.to_str(),)
+    def __reduce__(self) -> tuple[Any, tuple[str], tuple[None, dict[str, Any]]]:
+        return type(self).from_str, (self.to_str(),), (None, {"losses": self.losses})
 
-    def add(self, name: str, kind: str = "group", parent: str | None = None) -> Node:
+    def add(self, name: str, kind: str = "group", parent: Node | str | None = None) -> Node:
         """Adds a node: ``"group"``, ``"object"``, ``"camera"``, or a light: ``"directional"``,
         ``"point"`` or ``"spot"``."""
         self._native.add(str_of(name, "name"), str_of(kind, "kind"), self._find(parent, "parent"))
         return Node(self, name)
 
-    def _find(self, name: str | None, what: str) -> int | None:
-        """The index of the node with this name; ``None`` for ``None``."""
-        return None if name is None else self._native.find(str_of(name, what))
+    def _find(self, node: Node | str | None, what: str) -> int | None:
+        """The index of a node, given itself or by its name; ``None`` for ``None``."""
+        if isinstance(node, Node):
+            if node._owner is not self:
+                raise Invalid(f"{what}: node {node.name!r} is of another scene")
+            return node._at
+        return None if node is None else self._native.find(str_of(node, what))
 
-    def __delitem__(self, name: str) -> None:
-        self._native.remove(self[name]._at)
+    def __delitem__(self, node: Node | str) -> None:
+        at = self._find(node, "node")
+        if at is None:
+            raise TypeError("a node must be named")
+        self._native.remove(at)
 
-    def __getitem__(self, name: str) -> Node:
-        if not any(name == node[0] for node in self._native.nodes()):
-            raise KeyError(name)
+    def __getitem__(self, name: Node | str) -> Node:
+        if isinstance(name, Node):
+            if name._owner is not self:
+                raise NoName(f"node {name.name!r} is of another scene")
+            return name
+        names = list(self)
+        if name not in names:
+            near = difflib.get_close_matches(name, names, 1, 0.7) if isinstance(name, str) else []
+            meant = f": is {near[0]!r} meant?" if near else f"; nodes are {', '.join(map(repr, names)) or 'none'}"
+            raise NoName(f"there is no node {name!r}{meant}")
         return Node(self, name)
 
     def __iter__(self) -> Iterator[str]:
@@ -380,13 +435,13 @@ class Scene(Mapping[str, Node]):
 
     @property
     def camera(self) -> str | None:
-        """The name of the shown camera; with ``None`` the scene chooses one."""
+        """The name of the shown camera; assign a node, its name, or ``None``: the scene chooses one."""
         at = self._native.camera
         return None if at is None else self._native.nodes()[at][0]
 
     @camera.setter
-    def camera(self, name: str | None) -> None:
-        self._native.camera = self._find(name, "camera")
+    def camera(self, node: Node | str | None) -> None:
+        self._native.camera = self._find(node, "camera")
 
     @property
     def frame_range(self) -> tuple[float, float]:
@@ -443,7 +498,7 @@ class Scene(Mapping[str, Node]):
 
     def sample(
         self,
-        node: str | None = None,
+        node: Node | str | None = None,
         first: float | None = None,
         last: float | None = None,
         step: float = 1.0,
@@ -459,19 +514,18 @@ class Scene(Mapping[str, Node]):
         >>> Scene.of_path(Path()).sample(first=1, last=3).matrices.shape
         (3, 4, 4)
         """
-        name = self.camera if node is None else node
-        if name is None:
-            raise Error("this scene has no camera: name a node")
-        at = self._native.find(str_of(name, "node"))
+        at = self._find(self.camera if node is None else node, "node")
+        if at is None:
+            raise Invalid("this scene has no camera: name a node")
         start, end = self.frame_range
         start = start if first is None else number(first, "first")
         end = end if last is None else number(last, "last")
         step = number(step, "step")
         if not (np.isfinite([start, end, step]).all() and step > 0 and start <= end):
-            raise Error(f"frames {start:g} to {end:g} in steps of {step:g}: they must increase", "range")
+            raise Invalid(f"frames {start:g} to {end:g} in steps of {step:g}: they must increase", "range")
         many = (end - start) / step
         if many >= 1e7:
-            raise Error("more than 10000000 frames", "limit")
+            raise Invalid("more than 10000000 frames", "limit")
         count = int(np.floor(many + 1e-9)) + 1
         poses, matrices = np.empty((count, 10)), np.empty((count, 16))
         self._native.sample(at, start, step, poses, matrices)

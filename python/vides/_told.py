@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import keyword
 from typing import NamedTuple
 
 from . import _vides
@@ -12,7 +11,7 @@ class Finding(NamedTuple):
     """Something that will look wrong in the film."""
 
     kind: str
-    """The kind, as in ``vides check``."""
+    """The kind, a key of :attr:`Path.limits`."""
     first_frame: float
     """The first frame, from 1."""
     last_frame: float
@@ -22,9 +21,9 @@ class Finding(NamedTuple):
     orientation: int
     """The orientation of that point with which the section begins."""
     value: float
-    """The worst value."""
+    """The worst value, in the unit of the limit."""
     limit: float
-    """The limit."""
+    """The limit, as in :attr:`Path.limits`."""
     text: str
     """The finding as a sentence."""
     remedy: str
@@ -63,44 +62,13 @@ class FitReport(NamedTuple):
     """The report in sentences."""
 
 
-class Tool(NamedTuple):
-    """A tool of :meth:`Path.tool`."""
-
-    name: str
-    """The name for :meth:`Path.tool`."""
-    does: str
-    """What it does."""
-    wants_path: bool
-    """Whether it takes another path."""
-    parameters: dict[str, str]
-    """Its parameters by name, with descriptions."""
-
-
-def tools() -> list[Tool]:
-    """The tools of :meth:`Path.tool`.
-
-    >>> [tool.name for tool in tools()][:3]
-    ['orbit', 'spiral', 'arc']
-    """
-
-    def row(name: str, does: str, unit: str, width: int) -> tuple[str, str]:
-        name = name + "_" if keyword.iskeyword(name) else name
-        numbers = "" if width == 1 else f", {width} numbers"
-        return name, does + (f" ({unit})" if unit else "") + numbers
-
-    return [
-        Tool(name, does, block, dict(row(*parameter) for parameter in parameters))
-        for name, does, block, parameters in _vides.tools()
-    ]
-
-
 class Property(NamedTuple):
     """A property of a path, a point, an orientation or a node."""
 
     owner: str
     """What has it: ``"path"``, ``"point"``, ``"view"`` (an orientation) or ``"node"``."""
     key: str
-    """Its key in files; the unit at the end may be left out."""
+    """Its key in files; the attribute has no unit at the end."""
     does: str
     """What it is for."""
     kind: str
@@ -114,7 +82,7 @@ class Property(NamedTuple):
 
 
 def properties() -> list[Property]:
-    """All properties that can be set by name.
+    """All properties: rows of the table from which the attributes are made.
 
     >>> [(row.owner, row.unit, row.range) for row in properties() if row.key == "zoom_mm"]
     [('view', 'mm', (1.0, 2000.0)), ('node', 'mm', (1.0, 2000.0))]
@@ -130,7 +98,7 @@ class Rest(NamedTuple):
     orientation: int
     """Its orientation."""
     limit: str
-    """The limit that requires it: ``"acceleration"`` or ``"turning-acceleration"``."""
+    """The limit that requires it: ``"acceleration"`` or ``"turning_acceleration"``."""
 
 
 class Retimed(NamedTuple):

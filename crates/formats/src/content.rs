@@ -141,12 +141,8 @@ impl Recording {
     /// A scene of one camera, on a path or by keys, as the options say.
     ///
     /// # Errors
-    /// [`Cause::Order`]; those of the fit and of scenes.
-    pub(super) fn into_scene(
-        mut self,
-        options: &Options,
-        report: &mut Report,
-    ) -> Result<SceneDocument> {
+    /// [`Cause::Empty`], [`Cause::Order`]; those of the fit and of scenes.
+    pub fn into_scene(mut self, options: &Options, report: &mut Report) -> Result<SceneDocument> {
         let otherwise = self.rate().unwrap_or(DEFAULT_FPS);
         let fps = rate(&[self.fps], options, otherwise, report);
         let up = options.up.or(self.up).unwrap_or_default();
@@ -158,6 +154,9 @@ impl Recording {
         let as_keys = options.as_ != Some(As::Path);
         if let Some(keyframes) = self.keyframes.take().filter(|_| as_keys) {
             return self.of_keyframes(&keyframes, fps, options);
+        }
+        if self.poses.is_empty() {
+            return Err(Place::Whole.wrong(Cause::Empty));
         }
         let times = self.times(fps);
         if let Some(times) = &times
