@@ -193,7 +193,7 @@ pub(crate) fn tool(
         room.copy_from_slice(&wanted);
     }
     let material = block.map_or(ToolInput::None, |block| ToolInput::Block(Box::new(block)));
-    let edit = tool.edit(document, &material, &numbers, go_on)?;
+    let edit = tool.edit(document, &material, &numbers, go_on)?.edit;
     edit.ok_or_else(|| {
         Failure::argument(format!(
             "{} needs another path, or is not for Python",
