@@ -158,7 +158,7 @@ pub(crate) fn apply(
     path.planned(py, |document, go_on| {
         let mut numbers = tool.defaults(document)?;
         put(&mut numbers, tool.parameters(), &given)?;
-        let edit = tool.edit(document, &input, &numbers, go_on)?;
+        let edit = tool.edit(document, &input, &numbers, go_on)?.edit;
         let edit = edit.ok_or_else(|| Failure::argument(format!("{name} needs another path")))?;
         Ok((edit, ()))
     })

@@ -207,7 +207,7 @@ fn edit(call: &Call) -> Result<(), Failure> {
         None => ToolInput::None,
     };
     let edit = tool.edit(&document, &material, &numbers.all, &mut progress("points"));
-    let Some(mut edit) = edit.map_err(|error| call.at_file(error))? else {
+    let Some(mut edit) = edit.map_err(|error| call.at_file(error))?.edit else {
         return call.output.write(&document);
     };
     match &mut edit {

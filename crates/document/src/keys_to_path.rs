@@ -4,11 +4,11 @@ use glam::{DQuat, DVec3};
 use vides_engine::scene::{
     Channel, Extrapolation, FollowPath, NodeState, Part, Rest, Scene, Values, Warnings,
 };
-use vides_engine::tools::fit::Tolerance;
+use vides_engine::tools::fit::{Tolerance, fit};
 
 use super::edit::Edit;
 use super::editing::Document;
-use super::tool::fitted;
+use super::tool::in_space;
 use crate::error::{EngineError, Invalid, Refused, Result, TooMany, vec_with_room};
 use vides_engine::limits::MAX_SAMPLED_FRAMES;
 use vides_engine::math::orientation::quaternion_from_view;
@@ -121,11 +121,8 @@ pub fn keys_to_path(
         true => poses_in_parent(scene, node)?,
         false => own_poses(scene, node)?,
     };
-    let like = CameraPath {
-        space: scene.space(),
-        ..CameraPath::try_new()?
-    };
-    let path = fitted(&poses, None, fps, tolerance.into(), &like, &mut |_, _| true)?;
+    let options = in_space(tolerance.into(), &poses, scene.space());
+    let path = fit(&poses, None, fps, &options, &mut |_, _| true)?.path;
     let (off, turned) = missed(&path, &poses)?;
     let points = path.points.len();
     for channel in MOVED {

@@ -14,7 +14,9 @@ use vides_engine::tools::blend::blend;
 use vides_engine::tools::block::{self, Fit};
 use vides_engine::tools::check::{FindingKind, OFF};
 use vides_engine::tools::clearance::Clearance;
-use vides_engine::tools::fit::{Options, Progress, Tolerance, fit};
+use vides_engine::tools::fit::{
+    Fitted, Options, PoseDeviation, Progress, Report, Tolerance, fit, fit_points,
+};
 use vides_engine::tools::moves::{MOVES, Move};
 use vides_engine::tools::{Parameter, transform};
 
@@ -28,7 +30,6 @@ use crate::error::{EngineError, Error, Invalid, OutOfRange, Result};
 use table::{ABOUT, AXIS, FIRST, LAST, PUT, SEEN, TOOLS};
 use vides_engine::path::fit_frames::frames_of;
 use vides_engine::path::{CameraPath, Pose, Space, Target, Up};
-use vides_engine::shared_list::SharedList;
 
 /// A tool: its name, description and parameters.
 #[derive(Debug, Clone, Copy)]
@@ -74,6 +75,34 @@ impl ToolInput {
     }
 }
 
+/// What a tool makes of a document.
+#[derive(Debug)]
+pub struct Made {
+    /// None: it changes nothing.
+    pub edit: Option<Edit>,
+    /// How well a path follows the recorded poses to which it was fitted.
+    pub fit: Option<FitResult>,
+}
+
+impl From<Option<Edit>> for Made {
+    fn from(edit: Option<Edit>) -> Self {
+        Self { edit, fit: None }
+    }
+}
+
+/// How well a path follows recorded poses.
+#[derive(Debug)]
+pub struct FitResult {
+    /// The tolerance that it keeps: the given one, or the least that leads to the number of points.
+    pub tolerance: Tolerance,
+    /// In words and numbers.
+    pub report: Report,
+    /// How far it is from each pose that counts, in the order of their times.
+    pub deviations: Vec<PoseDeviation>,
+    /// Indices of the poses that do not count.
+    pub left_out: Vec<usize>,
+}
+
 /// What a tool needs before it can begin, or does at its end.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Needs {
@@ -112,8 +141,11 @@ enum Kind {
     Tour,
 }
 
-/// More poses than this are not fitted while a number is dragged.
+/// More poses than this are not fitted in the thread of the window.
 const POSES: usize = 2_000;
+
+/// How often a fit to a number of points fits them.
+const ROUNDS: usize = 10;
 
 const FITS: [Fit; 4] = [Fit::None, Fit::Move, Fit::Turn, Fit::Scale];
 
@@ -166,18 +198,28 @@ impl Tool {
         !self.tables[0].is_empty() || !self.tables[1].is_empty()
     }
 
-    /// Whether it takes a noticeable time, so that a preview waits for the end of a drag.
+    /// Whether it takes a noticeable time with these numbers.
     #[must_use]
-    pub fn takes_long(&self, document: &Document, material: &ToolInput) -> bool {
+    pub fn takes_long(&self, document: &Document, material: &ToolInput, numbers: &[f64]) -> bool {
+        let rounds = match ToolArguments::new(self, document, numbers).points_of_fit() {
+            Some(_) => ROUNDS,
+            None => 1,
+        };
         let poses = match (self.kind, material) {
             (Kind::Avoid | Kind::Picture | Kind::Tour, _) => return true,
             (Kind::Retime | Kind::Steady, _) => document
                 .sampler()
                 .map_or(0, |sampler| sampler.frame_count()),
-            (_, ToolInput::Poses(poses, ..)) => poses.len(),
+            (_, ToolInput::Poses(poses, ..)) => rounds * poses.len(),
             _ => 0,
         };
         poses > POSES
+    }
+
+    /// Whether a preview follows a drag even if it takes long, as far as the machine can.
+    #[must_use]
+    pub const fn follows_drags(&self) -> bool {
+        matches!(self.kind, Kind::Fit)
     }
 
     /// Whether it makes a new flight, to be shown from its beginning.
@@ -196,6 +238,12 @@ impl Tool {
             Kind::Extract => Needs::Output,
             _ => Needs::Nothing,
         }
+    }
+
+    /// The number that brings the usual tolerance for these poses, where the tool fits a path.
+    #[must_use]
+    pub fn usual_tolerance(&self, poses: &[Pose]) -> Option<f64> {
+        matches!(self.kind, Kind::Fit).then(|| Tolerance::usual(poses).position)
     }
 
     /// Its default numbers, fitted to the object, the path's points and the frame count.
@@ -272,7 +320,7 @@ impl Tool {
         Ok(numbers)
     }
 
-    /// The edit it makes of these numbers and its material; none if it changes nothing.
+    /// The edit it makes of these numbers and its material, and how well a fit follows its poses.
     ///
     /// # Errors
     /// Those of the tool; the document may still refuse the edit.
@@ -282,7 +330,7 @@ impl Tool {
         material: &ToolInput,
         numbers: &[f64],
         progress: Progress<'_>,
-    ) -> Result<Option<Edit>> {
+    ) -> Result<Made> {
         let own = Parameter::count(self.tables[0]).min(numbers.len());
         let (first, second) = numbers.split_at(own);
         let half_size = document.path().space.half_size;
@@ -300,7 +348,7 @@ impl Tool {
             put if put >= 1.0 => block(made, put - 1.0, true),
             _ => Edit::ReplacePath(Box::new(made)),
         };
-        Ok(Some(match (self.kind, material) {
+        let edit = match (self.kind, material) {
             (Kind::Move(known), _) => {
                 let fps = document.info().fps;
                 put(known.path_with_base_frames(first, path.space, fps, path.base_frames)?)
@@ -333,7 +381,7 @@ impl Tool {
             }
             (Kind::Extract, _) => {
                 given.extracted()?;
-                return Ok(None);
+                return Ok(None.into());
             }
             (Kind::Reverse, _) => Edit::Reverse,
             (Kind::Repeat, _) => Edit::Repeat(chosen(given.number("times"))),
@@ -357,11 +405,11 @@ impl Tool {
             }
             (Kind::Tour, _) => Edit::ReplacePath(Box::new(given.tour(progress)?)),
             (Kind::Fit, ToolInput::Poses(poses, seconds, up)) => {
-                let made = given.fitted((poses, seconds.as_deref(), *up), progress)?;
-                Edit::ReplacePath(Box::new(made))
+                return given.fitted((poses, seconds.as_deref(), *up), progress);
             }
-            (Kind::Insert | Kind::Blend | Kind::Fit | Kind::Draw, _) => return Ok(None),
-        }))
+            (Kind::Insert | Kind::Blend | Kind::Fit | Kind::Draw, _) => return Ok(None.into()),
+        };
+        Ok(Some(edit).into())
     }
 
     /// The box around the points, deformed; none if the tool deforms none or its numbers are
@@ -400,27 +448,15 @@ pub(super) fn least_clearance(document: &Document) -> f64 {
     limit * document.path().space.half_size
 }
 
-/// A path of few points through recorded poses, with the base speeds of another, and in its space
-/// if that holds them.
-pub(super) fn fitted(
-    poses: &[Pose],
-    seconds: Option<&[f64]>,
-    fps: f64,
-    options: Options,
-    like: &CameraPath,
-    progress: Progress<'_>,
-) -> Result<CameraPath> {
-    let space = like.space;
+/// The options with a space, if that holds the poses.
+pub(super) fn in_space(options: Options, poses: &[Pose], space: Space) -> Options {
     let far = |pose: &Pose| (DVec3::from(pose.vrp) - space.centre).abs().max_element();
     let holds = poses.iter().all(|pose| far(pose) <= space.half_size);
-    let options = Options {
+    Options {
         space: holds.then_some(space),
         up: space.up,
         ..options
-    };
-    let mut made = fit(poses, seconds, fps, &options, progress)?.path;
-    made.base_frames = like.base_frames;
-    Ok(made)
+    }
 }
 
 /// A tool's numbers by parameter name.
@@ -512,11 +548,17 @@ impl<'a> ToolArguments<'a> {
         Ok(avoid_object(self.document.path(), &object, &request, progress)?.path)
     }
 
+    /// The points that a fit may have; none: those that its tolerance needs.
+    fn points_of_fit(&self) -> Option<usize> {
+        let points = chosen(self.number("points"));
+        (matches!(self.tool.kind, Kind::Fit) && points > 0).then_some(points)
+    }
+
     fn fitted(
         &self,
         (poses, seconds, up): (&[Pose], Option<&[f64]>, Up),
         progress: Progress<'_>,
-    ) -> Result<CameraPath> {
+    ) -> Result<Made> {
         let tolerance = Tolerance {
             position: self.number("tolerance"),
             angle: self.number("angle"),
@@ -525,14 +567,31 @@ impl<'a> ToolArguments<'a> {
             robust: self.number("robust") != 0.0,
             ..tolerance.into()
         };
-        let path = self.document.path();
-        let like = CameraPath {
-            space: Space { up, ..path.space },
-            points: SharedList::new(),
-            ..*path
-        };
+        let CameraPath {
+            space, base_frames, ..
+        } = *self.document.path();
+        let options = in_space(options, poses, Space { up, ..space });
         let fps = self.document.info().fps;
-        fitted(poses, seconds, fps, options, &like, progress)
+        let (made, tolerance) = match self.points_of_fit() {
+            Some(points) => fit_points(poses, seconds, fps, &options, points, progress)?,
+            None => (fit(poses, seconds, fps, &options, progress)?, tolerance),
+        };
+        let Fitted {
+            mut path,
+            left_out,
+            report,
+            deviations,
+        } = made;
+        path.base_frames = base_frames;
+        Ok(Made {
+            edit: Some(Edit::ReplacePath(Box::new(path))),
+            fit: Some(FitResult {
+                tolerance,
+                report,
+                deviations,
+                left_out,
+            }),
+        })
     }
 
     fn tour(&self, progress: Progress<'_>) -> Result<CameraPath> {

@@ -68,7 +68,8 @@ fn edit(document: &Document, name: &str, set: &[(&str, f64)]) -> Result<Option<E
         }
         Needs::Nothing | Needs::Output => ToolInput::None,
     };
-    tool.edit(document, &material, &numbers, &mut |_, _| true)
+    let made = tool.edit(document, &material, &numbers, &mut |_, _| true)?;
+    Ok(made.edit)
 }
 
 #[test]
@@ -174,6 +175,7 @@ fn a_move_lies_around_the_object_and_goes_on_behind_the_current_point() {
     let Some(Edit::ReplacePath(orbit)) = tool("orbit")
         .edit(&document, &ToolInput::None, &numbers, &mut |_, _| true)
         .unwrap()
+        .edit
     else {
         panic!("no new path");
     };
@@ -250,11 +252,11 @@ fn a_free_form_bends_what_is_flat() {
         for node in 0..64 {
             numbers[3 * node + 1] -= lowered;
         }
-        let edit = tool
+        let made = tool
             .edit(&document, &ToolInput::None, &numbers, &mut |_, _| true)
             .unwrap();
         document.begin_step();
-        document.apply(edit.unwrap()).unwrap();
+        document.apply(made.edit.unwrap()).unwrap();
         let way = before - place(&document);
         assert!(way.distance(DVec3::new(0.0, moved, 0.0)) < 1e-12, "{way}");
         document.cancel_step();

@@ -429,7 +429,7 @@ pub(super) fn shortened(text: &str) -> String {
 ///
 /// # Errors
 /// Those of sampling.
-pub fn missed(path: &CameraPath, poses: &[Pose], times: Option<&[f64]>) -> Result<(f64, f64)> {
+fn missed(path: &CameraPath, poses: &[Pose], times: Option<&[f64]>) -> Result<(f64, f64)> {
     let plan = Plan::new();
     let sampler = plan.sampler(path)?;
     let last = sampler.frame_count() as f64;

@@ -62,7 +62,7 @@ mod vid;
 pub use all::{by_name, by_target, formats};
 pub use ascii::{write_ascii, write_ascii_file};
 pub use blocks::Progress;
-pub use content::{Content, Recording, missed};
+pub use content::{Content, Recording};
 pub use doors::{Imported, export, export_to, import, losses, read, recording};
 pub use error::{Cause, Error, Place, Result, Wanted};
 pub use flight::Flight;

@@ -379,6 +379,16 @@ pub(super) const TOOLS: &[Tool] = &[
                     )
                 },
                 Parameter {
+                    unit: Unit::Count,
+                    least: 0.0,
+                    most: MAX_POINTS as f64,
+                    ..one(
+                        "points",
+                        "maximum number of points; the tolerance follows from it; 0: as many as the tolerance needs",
+                        0.0,
+                    )
+                },
+                Parameter {
                     unit: Unit::Switch,
                     least: 0.0,
                     most: 1.0,

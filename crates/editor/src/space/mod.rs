@@ -60,6 +60,7 @@ use crate::space::surface::{PointerContext, projection_of};
 use crate::state::Editor;
 use crate::state::space::solid::Eye;
 use crate::state::space::{Handle, MovementWindow};
+use crate::state::windows::ToolWindow;
 use crate::texts::Texts;
 use crate::texts::refusals::reason_of;
 use crate::{host, points_list, scene_view};
@@ -450,6 +451,11 @@ impl MovementWindow {
             && let Some(cage) = window.cage()
         {
             add(overlay::cage(look, cage, window.control(), palette));
+        }
+        if let Some((poses, left_out)) =
+            (editor.windows.tool.as_ref()).and_then(ToolWindow::recorded)
+        {
+            add(overlay::recorded(look, poses, left_out, palette));
         }
         if let Some(places) = pointer.stroke() {
             add(overlay::stroke(look, places, palette));

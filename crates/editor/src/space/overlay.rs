@@ -8,6 +8,7 @@ use egui::{Color32, Painter, Rect, Shape, Stroke};
 use glam::{DVec2, DVec3};
 use vides_document::Document;
 use vides_document::tool::Cage;
+use vides_engine::path::Pose;
 use vides_raster::Lines;
 
 use super::drag::VUP_LENGTH;
@@ -37,6 +38,12 @@ const ARROW: f32 = 2.0;
 
 /// Width of the line along which something moves, in points.
 const ALONG: f32 = 2.0;
+
+/// The most recorded poses that have dots; of more, each second, third and so on.
+const DOTS: usize = 4_000;
+
+/// Radius of such a dot, in points.
+const DOT: f64 = 1.3;
 
 /// Half the side of a control point's square, in points.
 const CONTROL: f64 = 2.5;
@@ -230,6 +237,32 @@ pub(super) fn cage(look: &Look<'_>, cage: &Cage, shown: usize, palette: &Palette
         let image = look.projection.image(node);
         let side = DVec2::X * half;
         strokes.flat(image - side, image + side, 2.0 * half as f32, color);
+    }
+    strokes.finish()
+}
+
+/// Recorded poses as dots, those that do not count as larger ones.
+pub(super) fn recorded(
+    look: &Look<'_>,
+    poses: &[Pose],
+    left_out: &[usize],
+    palette: &Palette,
+) -> Lines {
+    let mut strokes = Strokes::new(look.projection, look.viewport);
+    let every = poses.len().div_ceil(DOTS).max(1);
+    let mut dot = |pose: &Pose, radius, color| {
+        strokes.disc(look.projection.image(pose.position()), radius, color);
+    };
+    for pose in poses.iter().step_by(every) {
+        dot(pose, DOT, palette.text.gamma_multiply(0.6));
+    }
+    let each = left_out.len().div_ceil(DOTS).max(1);
+    for pose in left_out
+        .iter()
+        .step_by(each)
+        .filter_map(|&at| poses.get(at))
+    {
+        dot(pose, 2.0 * DOT, palette.error);
     }
     strokes.finish()
 }

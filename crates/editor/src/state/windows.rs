@@ -4,11 +4,12 @@ use std::cell::Cell;
 
 use egui::{Color32, Id, Pos2, Rect, Vec2};
 use glam::DVec3;
-use vides_document::tool::{Cage, Tool, ToolInput};
+use vides_document::tool::{Cage, Made, Tool, ToolInput};
 use vides_document::{Document, Edit, Note, Selection};
 use vides_engine::path::Space;
 use vides_engine::scene::Track;
 use vides_engine::tools::check::Finding;
+use vides_engine::tools::fit::{PoseDeviation, Report, Tolerance};
 
 use crate::background::Background;
 use crate::setup::{Colours, Element, Shown};
@@ -161,6 +162,18 @@ pub(crate) struct SpeedWindow {
     pub(crate) fixed: Option<(Selection, u32)>,
 }
 
+/// How well a path follows recorded poses.
+#[derive(Debug)]
+pub(crate) struct FitShown {
+    /// The given one, or the least that leads to the number of points.
+    pub(crate) tolerance: Tolerance,
+    pub(crate) report: Report,
+    /// Over the time, at the first frame of each place.
+    pub(crate) places: Vec<PoseDeviation>,
+    /// Indices of the poses that do not count, in order.
+    pub(crate) left_out: Vec<usize>,
+}
+
 #[derive(Debug)]
 pub(crate) struct ToolWindow {
     pub(crate) tool: Tool,
@@ -179,10 +192,12 @@ pub(crate) struct ToolWindow {
     pub(crate) drawn: Vec<(Pos2, DVec3)>,
     /// Points and frames of what is to be written to a file.
     pub(crate) written: Option<[usize; 2]>,
-    /// How far the path is from recorded poses: a length and degrees.
-    pub(crate) missed: Option<(f64, f64)>,
+    /// How well the shown path follows recorded poses.
+    pub(crate) fit: Option<FitShown>,
+    /// The numbers that were last previewed.
+    pub(crate) asked: Vec<f64>,
     /// What the tool makes beside the window.
-    pub(crate) work: Option<Background<Option<Edit>>>,
+    pub(crate) work: Option<Background<Made>>,
     /// Where the playhead stood.
     pub(crate) stood: (Option<f64>, Selection),
 }

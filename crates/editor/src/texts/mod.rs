@@ -24,6 +24,7 @@ mod curve;
 mod display;
 mod errors;
 mod files;
+mod fit;
 pub(crate) mod formats;
 mod german;
 mod german_files;
@@ -161,6 +162,7 @@ parts! {
     display: DisplayWindow;
     errors: Errors;
     files: Files;
+    fit: Fit;
     help: Help;
     menu: Menu;
     menu_hints: MenuHints;

@@ -15,7 +15,6 @@ texts! {
         cancel: "Cancel", "Abbrechen";
         cancel_hint: "Close without changes", "Ohne Änderung schließen";
         result: "{0} points · {1} frames", "{0} Punkte · {1} Bilder";
-        missed: " · off by at most {0} and {1}°", " · höchstens {0} und {1}° daneben";
         draw_now: "Draw a line with the left button: in the space, or on the object in the camera's picture",
             "Mit der linken Taste eine Linie zeichnen: in den Raum, oder im Kamerabild auf das Objekt";
         only_path: "No path is being edited", "Es wird keine Bahn bearbeitet";
@@ -109,6 +108,7 @@ const LABELS: &[Word] = &[
     ("coverage", "Coverage", "Anteil"),
     ("inside", "Inside", "Innen"),
     ("robust", "Robust", "Robust"),
+    ("points", "Points", "Punkte"),
 ];
 
 /// What the parameters do, in German.
@@ -175,6 +175,8 @@ const HINTS: &[(&str, &str)] = &[
     ("how much of the other path", "wie viel von der anderen Bahn"),
     ("how far view, up and field of view may be from theirs",
         "wie weit Blick, oben und Bildwinkel von ihren abweichen dürfen"),
+    ("maximum number of points; the tolerance follows from it; 0: as many as the tolerance needs",
+        "höchste Zahl der Punkte; die Toleranz folgt daraus; 0: so viele, wie die Toleranz braucht"),
 ];
 
 /// The names of choices.

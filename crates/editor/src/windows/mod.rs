@@ -10,6 +10,7 @@ mod check;
 mod compare;
 pub(crate) mod curve;
 pub(crate) mod dock;
+mod fit;
 mod help;
 mod points;
 #[cfg(test)]

@@ -13,25 +13,27 @@ use std::path::Path;
 use egui::{Align, Context, Layout, Pos2, Ui, vec2};
 use glam::DVec3;
 use vides_document::error::{EngineError, Error, OutOfRange, Result};
-use vides_document::tool::{Cage, Needs, Tool, ToolInput};
+use vides_document::tool::{Cage, Made, Needs, Tool, ToolInput};
 use vides_document::{Document, Edit, StepName};
 use vides_engine::path::Pose;
 use vides_engine::tools::check::FindingKind;
+use vides_engine::tools::fit::Progress;
 use vides_engine::tools::{Parameter, Unit};
 
 use crate::action::{Action, ToolAction};
 use crate::background::Background;
 use crate::entry::Entry;
 use crate::length::fit;
-use crate::number::Number;
+use crate::number::{Number, decimals};
 use crate::panels::parts::share;
 use crate::state::Editor;
 use crate::state::files::Purpose;
-use crate::state::windows::ToolWindow;
+use crate::state::windows::{FitShown, ToolWindow};
 use crate::texts::refusals::of_edit;
 use crate::texts::{Language, fill};
 use crate::theme;
 use crate::windows::dock::docked;
+use crate::windows::fit::Offer;
 
 /// Width of a number beside its name.
 const NUMBER: f32 = 84.0;
@@ -51,8 +53,6 @@ impl ToolWindow {
     ) -> bool {
         let language = editor.language();
         let texts = &editor.texts().tools;
-        let old = self.numbers.clone();
-        let dragged = self.before.is_some();
         let ok = match self.tool.needs() {
             Needs::Output => [texts.write, texts.write_hint],
             _ => [texts.ok, texts.ok_hint],
@@ -67,17 +67,23 @@ impl ToolWindow {
             ui.scope(|ui| {
                 ui.set_min_height(WORDS);
                 match (&self.work, &self.trouble) {
-                    (Some(work), _) => work.show(ui),
+                    (Some(work), _) if self.unapplied.is_none() => work.show(ui),
                     (_, Some(trouble)) => ui.colored_label(palette.error, trouble),
                     _ => ui.colored_label(palette.weak, self.result(editor)),
                 };
             });
             self.fields(editor, ui, actions);
+            let fit = self.fit.as_ref();
+            match fit.and_then(|fit| fit.show(editor, ui, actions)) {
+                Some(Offer::Tolerance(tolerance)) => self.set_named("tolerance", tolerance),
+                Some(Offer::Robust) => self.set_named("robust", 1.0),
+                None => {}
+            }
         });
-        let slow = self.tool.takes_long(&editor.document, &self.material);
-        let waits = slow && self.before.is_some();
-        let ended = dragged && self.before.is_none() && slow;
-        if (old != self.numbers && !waits) || ended {
+        let slow = || (self.tool).takes_long(&editor.document, &self.material, &self.numbers);
+        let busy = self.work.is_some() || !self.tool.follows_drags();
+        let waits = self.before.is_some() && busy && slow();
+        if self.asked != self.numbers && !waits {
             // Before what ends it, which goes by these numbers.
             actions.insert(0, Action::Tool(ToolAction::Preview));
         } else if self.work.as_mut().is_some_and(|work| work.is_done(context)) {
@@ -143,11 +149,7 @@ impl ToolWindow {
         match self.written.map_or_else(of_path, Ok) {
             Ok([points, frames]) => {
                 let texts = &editor.texts().tools;
-                let result = fill(texts.result, &[&points, &frames]);
-                self.missed.map_or(result.clone(), |(off, turned)| {
-                    let [off, turned] = [off, turned].map(|by| editor.language().number(by, 3));
-                    result + &fill(texts.missed, &[&off, &turned])
-                })
+                fill(texts.result, &[&points, &frames])
             }
             Err(error) => of_edit(editor.language(), &error),
         }
@@ -261,6 +263,50 @@ impl ToolWindow {
         }
     }
 
+    /// The poses that a path is fitted to, and the indices of those that do not count.
+    pub(crate) fn recorded(&self) -> Option<(&[Pose], &[usize])> {
+        match (&self.material, &self.fit) {
+            (ToolInput::Poses(poses, ..), fit) => {
+                let left_out = fit.as_ref().map_or(&[][..], |fit| &fit.left_out);
+                Some((poses, left_out))
+            }
+            _ => None,
+        }
+    }
+
+    fn set_named(&mut self, name: &str, value: f64) {
+        if let Some(at) = self.tool.place_of(name) {
+            self.set(at, value);
+        }
+    }
+
+    /// What a field of a fit shows: the points follow from the tolerance, or the tolerance from the
+    /// points.
+    fn follows(&self, name: &str) -> Option<f64> {
+        let fit = self.fit.as_ref()?;
+        let by_points = *self.numbers.get(self.tool.place_of("points")?)? > 0.0;
+        match (name, by_points) {
+            ("points", false) => Some(fit.report.points as f64),
+            ("tolerance", true) => Some(fit.tolerance.position),
+            ("angle", true) => Some(fit.tolerance.angle),
+            _ => None,
+        }
+    }
+
+    /// What is set along with a number: a tolerance that is entered takes the place of the points.
+    fn set_along(&self, name: &str) -> Vec<(usize, f64)> {
+        let along = ["tolerance", "angle"].into_iter();
+        let along =
+            along.filter_map(|other| Some((self.tool.place_of(other)?, self.follows(other)?)));
+        let along: Vec<_> = along.collect();
+        match (name, self.tool.place_of("points")) {
+            ("tolerance" | "angle", Some(points)) if !along.is_empty() => {
+                along.into_iter().chain([(points, 0.0)]).collect()
+            }
+            _ => Vec::new(),
+        }
+    }
+
     fn set(&mut self, at: usize, value: f64) {
         if let Some(number) = self.numbers.get_mut(at) {
             *number = value;
@@ -284,10 +330,18 @@ impl ToolWindow {
         };
         let label = language.parameter(parameter.name);
         let name = format!("{label} {letter}");
-        let number = Number::new(name.trim_end(), self.numbers.get(at).copied())
+        let value = self.follows(parameter.name);
+        let value = value.or_else(|| self.numbers.get(at).copied());
+        let number = Number::new(name.trim_end(), value)
             .label(letter)
             .hint(language.parameter_hint(parameter));
         let number = match parameter.unit {
+            // Small against the space.
+            Unit::Length if parameter.name == "tolerance" => {
+                let size = editor.document.path().space.half_size;
+                let number = number.decimals(decimals(size) + 2);
+                number.steps(1e-3 * size, 1e-4 * size)
+            }
             Unit::Length => number.in_space(editor.document.path().space),
             Unit::Degrees => number.degrees(),
             Unit::Zoom => number.unit(" mm").decimals(1).steps(1.0, 0.1),
@@ -297,9 +351,12 @@ impl ToolWindow {
         };
         let number = number.range(parameter.least..=parameter.most).pending();
         let id = format!("tool.{}.{}.{part}", self.tool.name, parameter.name);
+        let along = self.set_along(parameter.name);
         let set = |numbers: &mut Vec<f64>, value| {
-            if let Some(number) = numbers.get_mut(at) {
-                *number = value;
+            for (at, value) in along.into_iter().chain([(at, value)]) {
+                if let Some(number) = numbers.get_mut(at) {
+                    *number = value;
+                }
             }
         };
         let entry = number.show(ui, language, &id, width);
@@ -338,22 +395,17 @@ fn reason(language: Language, error: &Error) -> String {
     }
 }
 
+/// What a tool works on beside the window.
+fn copied(document: &Document) -> Result<Document> {
+    Document::from_parts(document.path().try_clone()?, document.info().clone())
+}
+
 /// Whether a check finds the path outside its space, between its points, too.
 fn leaves_space(document: &Document) -> Result<bool> {
     let found = document.check_against(None, &mut |_, _| true)?;
     Ok(found
         .iter()
         .any(|finding| finding.kind == FindingKind::Space))
-}
-
-/// How far the path is from poses at their times in seconds.
-fn missed(document: &Document, poses: &[Pose], seconds: Option<&[f64]>) -> Option<(f64, f64)> {
-    let fps = document.info().fps;
-    let times: Option<Vec<f64>> = seconds.map(|seconds| {
-        let from_first = seconds.iter().map(|time| (time - seconds[0]) * fps);
-        from_first.collect()
-    });
-    vides_formats::missed(document.path(), poses, times.as_deref()).ok()
 }
 
 impl Editor {
@@ -393,6 +445,7 @@ impl Editor {
         self.windows.tool = Some(ToolWindow {
             tool,
             material: ToolInput::None,
+            asked: numbers.clone(),
             numbers,
             before: None,
             trouble: None,
@@ -401,7 +454,7 @@ impl Editor {
             control: 0,
             drawn: Vec::new(),
             written: None,
-            missed: None,
+            fit: None,
             work: None,
             stood: (self.playing.frame(), self.document.selection()),
         });
@@ -412,6 +465,11 @@ impl Editor {
     /// Gives the tool what it works on.
     pub(crate) fn begin_tool_with(&mut self, material: ToolInput) {
         if let Some(window) = &mut self.windows.tool {
+            if let ToolInput::Poses(poses, ..) = &material
+                && let Some(tolerance) = window.tool.usual_tolerance(poses)
+            {
+                window.set_named("tolerance", tolerance);
+            }
             window.material = material;
         }
         self.preview_tool();
@@ -448,32 +506,44 @@ impl Editor {
         let Some(mut window) = self.windows.tool.take() else {
             return;
         };
-        if window.unapplied.take().is_some() {
+        let tool = window.tool;
+        let slow = |window: &ToolWindow, document: &Document| {
+            self.start.is_some() && tool.takes_long(document, &window.material, &window.numbers)
+        };
+        // During a drag what is shown stays until the next is made.
+        let drags = window.before.is_some() && tool.follows_drags();
+        let stays = drags && slow(&window, &self.document);
+        if !stays && window.unapplied.take().is_some() {
             self.document.cancel_step();
         }
-        if window.tool.asks_object() {
+        if tool.asks_object() {
             // Where it cannot be had the tool says why.
             let object = self.obstacles().ok().flatten();
             window.material = object.map_or(ToolInput::None, ToolInput::Object);
         }
         let document = &self.document;
-        let tool = window.tool;
         window.work = None;
+        window.asked.clone_from(&window.numbers);
         window.cage = tool.cage(document, &window.numbers);
-        if self.start.is_none() || !tool.takes_long(document, &window.material) {
-            let edit = tool.edit(document, &window.material, &window.numbers, &mut |_, _| {
+        if !(self.start.is_some() && tool.takes_long(document, &window.material, &window.numbers)) {
+            let made = tool.edit(document, &window.material, &window.numbers, &mut |_, _| {
                 true
             });
-            self.show_made(window, edit);
+            self.show_made(window, made);
             return;
         }
-        let copy = self.apart();
+        let copy = match &window.unapplied {
+            Some(document) => copied(document),
+            None => self.apart(),
+        };
         let (material, numbers) = (window.material.clone(), window.numbers.clone());
-        let mut work = Background::begin(self.start, move |progress| {
-            tool.edit(&copy?, &material, &numbers, progress)
-        });
+        let make = move |progress: Progress<'_>| tool.edit(&copy?, &material, &numbers, progress);
+        let mut work = match drags {
+            true => Background::begin_for_later(self.start, make),
+            false => Background::begin(self.start, make),
+        };
         match work.made() {
-            Some(edit) => self.show_made(window, edit),
+            Some(made) => self.show_made(window, made),
             None => {
                 (window.work, window.trouble) = (Some(work), None);
                 self.windows.tool = Some(window);
@@ -484,23 +554,26 @@ impl Editor {
     /// Shows what the tool has made beside the window.
     pub(crate) fn tool_made(&mut self) {
         let window = self.windows.tool.as_mut();
-        if let Some(edit) = window.and_then(|window| window.work.take()?.made())
+        if let Some(made) = window.and_then(|window| window.work.take()?.made())
             && let Some(window) = self.windows.tool.take()
         {
-            self.show_made(window, edit);
+            self.show_made(window, made);
         }
     }
 
-    fn show_made(&mut self, mut window: ToolWindow, edit: Result<Option<Edit>>) {
+    fn show_made(&mut self, mut window: ToolWindow, made: Result<Made>) {
+        if window.unapplied.take().is_some() {
+            self.document.cancel_step();
+        }
         let begins = self.begins();
         let kept = self.kept_frames().filter(|_| window.tool.name != "frames");
         let language = self.language();
         let document = &mut self.document;
-        let made = edit.and_then(|edit| {
+        let shown = made.and_then(|made| {
             let unapplied = Box::new(document.try_clone()?);
             document.begin_step();
             document.name_step(StepName::Tool(window.tool.name));
-            edit.map_or(Ok(()), |edit| document.apply(edit))?;
+            made.edit.map_or(Ok(()), |edit| document.apply(edit))?;
             if let Some(frames) = kept {
                 // `OK` says why it cannot be kept.
                 let _ = fit(document, frames);
@@ -514,23 +587,17 @@ impl Editor {
                 let space = document.space_around_all()?;
                 document.apply(Edit::SetSpace { space, fit: false })?;
             }
-            Ok(unapplied)
+            Ok((unapplied, made.fit))
         });
-        (window.unapplied, window.trouble) = match made {
-            Ok(unapplied) => (Some(unapplied), None),
+        (window.unapplied, window.fit, window.trouble) = match shown {
+            Ok((unapplied, fit)) => (Some(unapplied), fit.map(FitShown::new), None),
             Err(error) => {
                 document.cancel_step();
-                (None, Some(reason(language, &error)))
+                (None, None, Some(reason(language, &error)))
             }
         };
         window.written = match window.tool.needs() {
             Needs::Output if window.unapplied.is_some() => window.to_write(document).ok(),
-            _ => None,
-        };
-        window.missed = match &window.material {
-            ToolInput::Poses(poses, seconds, _) if window.unapplied.is_some() => {
-                missed(document, poses, seconds.as_deref())
-            }
             _ => None,
         };
         self.windows.tool = Some(window);

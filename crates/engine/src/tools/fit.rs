@@ -18,7 +18,7 @@ mod report;
 mod time_unit;
 mod whole;
 
-pub use report::{Deviation, Report};
+pub use report::{Deviation, PoseDeviation, Report};
 pub use time_unit::TimeUnit;
 
 use glam::{DQuat, DVec3};
@@ -114,6 +114,8 @@ pub struct Fitted {
     pub left_out: Vec<usize>,
     /// How well it follows them, and what was found in them.
     pub report: Report,
+    /// How far it is from each pose that counts, in the order of their times.
+    pub deviations: Vec<PoseDeviation>,
 }
 
 /// Called now and then with the poses done and all of them; false ends the work.
@@ -206,6 +208,14 @@ pub fn fit(
     let mut data = Data::new(poses, seconds, fps, options)?;
     let mut made = data.made(options, poses.len(), progress)?;
     made.report.better = data.better(&made.report, progress)?;
+    if !options.robust && made.report.better.is_none() {
+        let robust = Options {
+            robust: true,
+            ..*options
+        };
+        let data = Data::new(poses, seconds, fps, &robust)?;
+        made.report.robust = data.robust(&made.report, progress)?;
+    }
     Ok(made)
 }
 
@@ -281,6 +291,9 @@ enum Follow {
 /// A path of so many points has more than a third of the poses.
 const MANY: usize = 3;
 
+/// Of more than one pose of this many they are noise, no outliers.
+const MOST_OUTLIERS: usize = 20;
+
 /// So many standard deviations of a coordinate no noise is far from the flight.
 const BEYOND_NOISE: f64 = 4.5;
 
@@ -299,7 +312,28 @@ impl Data {
             path,
             left_out,
             report,
+            deviations: measured.each,
         })
+    }
+
+    /// What a robust fit leaves out, and its points, if it needs at most half of those of a fit that
+    /// was not robust.
+    fn robust(mut self, report: &Report, progress: Progress<'_>) -> Result<Option<(usize, usize)>> {
+        match self.leave_out() {
+            Err(Error::Argument(Invalid::Outliers { .. })) => return Ok(None),
+            done => done?,
+        }
+        let outliers = self.outliers().count();
+        if outliers == 0 || MOST_OUTLIERS * outliers > report.poses {
+            return Ok(None);
+        }
+        (self.cuts, self.gaps) = self.jumps()?;
+        let points = match self.best(progress) {
+            Ok((path, _)) => path.points.len(),
+            Err(Error::Limit(_)) => return Ok(None),
+            Err(error) => return Err(error),
+        };
+        Ok((2 * points <= report.points).then_some((outliers, points)))
     }
 
     /// Where there are many points, a tolerance beyond the noise if it needs at most half of them.

@@ -39,12 +39,13 @@ impl Around {
         let mut document = Document::from_parts(self.1.try_clone()?, info)?.without_history();
         let faces = self.0.mesh().map_or(0, |mesh| mesh.triangles.len());
         let tool = tool::tools().find(|tool| tool.name == name);
-        let slow = |tool: &tool::Tool| tool.takes_long(&document, &ToolInput::None);
+        let slow = |tool: &tool::Tool| tool.takes_long(&document, &ToolInput::None, &[]);
         let Some(tool) = tool.filter(|tool| !slow(tool) || faces <= MOST) else {
             return Ok(None);
         };
         let numbers = tool.defaults(&document)?;
-        let edit = tool.edit(&document, &ToolInput::None, &numbers, go_on)?;
+        let made = tool.edit(&document, &ToolInput::None, &numbers, go_on)?;
+        let edit = made.edit;
         let nothing = edit.is_none();
         if let Some(edit) = edit {
             document.apply(edit)?;

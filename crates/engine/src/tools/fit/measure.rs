@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::report::{Deviation, Measured, Report};
+use super::report::{Deviation, Measured, PoseDeviation, Report};
 use super::{Data, view_angle};
 use crate::error::{Result, vec_with_room};
 use crate::math::quaternion::{angle, continue_sign};
@@ -15,31 +15,36 @@ impl Data {
         let sampler = Sampler::new(path, &Timeline::new(path)?)?;
         let last = sampler.frame_count() as f64;
         let mut sums = [Deviation::default(); 3];
-        let mut count = 0;
+        let mut each = vec_with_room(self.poses())?;
         let all = self.raw.iter().zip(&self.times).take(self.poses());
         for (k, (sample, time)) in all.enumerate() {
             if self.left_out[k] || self.in_a_cut(k) {
                 continue;
             }
-            let pose = sampler.pose((1.0 + time).clamp(1.0, last))?;
+            let frame = (1.0 + time).clamp(1.0, last);
+            let pose = sampler.pose(frame)?;
             let turn = self.turn(pose.vpn.into(), pose.vup.into());
             let turned = 2.0 * angle(sample.turn, continue_sign(sample.turn, turn).0);
-            sums[0].add(DVec3::from_array(pose.vrp).distance(sample.position));
-            sums[1].add(turned.to_degrees());
-            sums[2].add(
-                (view_angle(sample.zoom) - view_angle(pose.zoom))
-                    .abs()
-                    .to_degrees(),
-            );
-            count += 1;
+            let position = DVec3::from_array(pose.vrp).distance(sample.position);
+            let lens = (view_angle(sample.zoom) - view_angle(pose.zoom)).abs();
+            let [turned, lens] = [turned, lens].map(f64::to_degrees);
+            for (sum, off) in sums.iter_mut().zip([position, turned, lens]) {
+                sum.add(off);
+            }
+            each.push(PoseDeviation {
+                frame,
+                position,
+                angle: turned.max(lens),
+            });
         }
-        let [position, view, lens] = sums.map(|sum| sum.mean(count));
+        let [position, view, lens] = sums.map(|sum| sum.mean(each.len()));
         let turned = view.greatest.max(lens.greatest).to_radians();
         Ok(Measured {
             worst: (position.greatest / self.tolerance).max(turned / self.angle),
             position,
             view,
             lens,
+            each,
         })
     }
 
@@ -76,6 +81,7 @@ impl Data {
             unit: self.unit,
             noise: self.noise()?,
             better: None,
+            robust: None,
         })
     }
 }

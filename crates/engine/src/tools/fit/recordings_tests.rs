@@ -575,6 +575,39 @@ fn a_report_names_a_better_tolerance() {
     );
 }
 
+/// A few outliers that cost most of the points are named, with the points of a fit without them; and
+/// the deviations of the poses are those of the report.
+#[test]
+fn a_report_names_outliers_that_cost_points() {
+    let (mut poses, seconds, _) = recorded(PLAIN, &mut Random(6));
+    let clean = made(&poses, &seconds, 30.0, &TOLERANCE.into());
+    assert_eq!(clean.report.robust, None);
+    let outliers: Vec<usize> = (1..8).map(|k| k * poses.len() / 9).collect();
+    for &at in &outliers {
+        poses[at].vrp[1] += 50.0 * TOLERANCE.position;
+    }
+    let fitted = made(&poses, &seconds, 30.0, &TOLERANCE.into());
+    let (left_out, points) = fitted.report.robust.unwrap();
+    assert_eq!(left_out, outliers.len());
+    let options = Options {
+        robust: true,
+        ..TOLERANCE.into()
+    };
+    let again = made(&poses, &seconds, 30.0, &options);
+    assert_eq!((&again.left_out, again.report.points), (&outliers, points));
+    assert!(2 * points <= fitted.report.points && again.report.robust.is_none());
+    let told = fitted.report.to_string();
+    assert!(
+        told.contains(&format!("leaves out so many and gives {points} points")),
+        "{told}"
+    );
+    let most = |of: fn(&PoseDeviation) -> f64| again.deviations.iter().map(of).fold(0.0, f64::max);
+    assert_eq!(again.deviations.len(), poses.len() - outliers.len());
+    assert_eq!(most(|off| off.position), again.report.position.greatest);
+    let turned = again.report.view.greatest.max(again.report.lens.greatest);
+    assert_eq!(most(|off| off.angle), turned);
+}
+
 /// As many points as one asks for, and no tolerance that needs much less would do.
 #[test]
 fn so_many_points() {

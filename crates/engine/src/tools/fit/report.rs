@@ -13,6 +13,17 @@ pub struct Deviation {
     pub rms: f64,
 }
 
+/// How far a path is from one of the poses that it was made of.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PoseDeviation {
+    /// Where in the path, in frames from 1.
+    pub frame: f64,
+    /// The distance of the positions.
+    pub position: f64,
+    /// Of view with up, or of the vertical field of view, the greater, in degrees.
+    pub angle: f64,
+}
+
 /// How well a path follows its poses, and what was found in them. Poses that were left out or
 /// dropped do not count.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -48,6 +59,9 @@ pub struct Report {
     /// A larger tolerance that needs at most half as many points, and how many, where more than a
     /// third of the poses became points.
     pub better: Option<(f64, usize)>,
+    /// Outliers that a robust fit leaves out, and the points that it then needs, where these are at
+    /// most half as many and the fit was not robust.
+    pub robust: Option<(usize, usize)>,
 }
 
 impl fmt::Display for Report {
@@ -85,6 +99,13 @@ impl fmt::Display for Report {
                 self.noise
             )?;
         }
+        if let Some((outliers, points)) = self.robust {
+            let several = if outliers == 1 { "" } else { "s" };
+            write!(
+                f,
+                "\n{outliers} outlier{several}: a robust fit leaves out so many and gives {points} points"
+            )?;
+        }
         Ok(())
     }
 }
@@ -96,6 +117,7 @@ pub(super) struct Measured {
     pub position: Deviation,
     pub view: Deviation,
     pub lens: Deviation,
+    pub each: Vec<PoseDeviation>,
 }
 
 impl Deviation {
