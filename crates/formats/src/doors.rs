@@ -164,8 +164,9 @@ pub fn read(
                 source: directory,
             }));
         }
-        let content = format.read(source, options, report)?;
-        if let Content::Poses(recording) = &content {
+        let mut content = format.read(source, options, report)?;
+        if let Content::Poses(recording) = &mut content {
+            recording.count_seconds(report)?;
             recording.tell_epoch(report);
         }
         Ok((format.name, content))

@@ -81,6 +81,8 @@ pub enum Loss {
     RepeatedTimes(usize),
     /// The times begin at this second, and count from 0 here.
     Epoch(f64),
+    /// Times too great for seconds, by what they count.
+    TimeUnit(&'static str),
     /// Rates beyond the range.
     Rates(usize),
     /// Everything is far away: roots are in a node there.
@@ -207,6 +209,9 @@ impl fmt::Display for Loss {
             }
             Self::Epoch(start) => {
                 write!(f, "the times begin at {start} s: they count from 0 here")
+            }
+            Self::TimeUnit(unit) => {
+                write!(f, "times beyond 1e11 are no seconds: they count {unit}")
             }
             Self::RepeatedTimes(n) => counted(f, *n, "pose% at the time of another left out"),
             Self::Rates(n) => write!(f, "{n} rate{} beyond 0 to {MAX_FPS} left out", plural(*n)),
