@@ -181,13 +181,13 @@ pub(crate) fn save_poses(
 }
 
 /// Points and poses; greatest and RMS deviation of position, view and field of view; noise; holds,
-/// gaps, cuts, repeated times; a better tolerance with its points; the text.
+/// gaps, cuts, repeated times; a better tolerance with its angle and points; the text.
 type FitReport = (
     [usize; 2],
     [[f64; 2]; 3],
     f64,
     [usize; 4],
-    Option<(f64, usize)>,
+    Option<(f64, f64, usize)>,
     String,
 );
 
@@ -198,7 +198,9 @@ fn told(report: &FitResult) -> FitReport {
         [report.position, report.view, report.lens].map(pair),
         report.noise,
         [report.holds, report.gaps, report.cuts, report.dropped],
-        report.better,
+        report
+            .better
+            .map(|(better, points)| (better.position, better.angle, points)),
         report.to_string(),
     )
 }

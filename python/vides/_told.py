@@ -55,9 +55,9 @@ class FitReport(NamedTuple):
     """Poses at the time of the one before, which were dropped."""
     outliers: tuple[int, ...]
     """Indices of the poses that ``robust`` left out."""
-    better: tuple[float, int] | None
-    """Where more than a third of the poses became points: a tolerance that needs at most half as
-    many, and how many."""
+    better: tuple[float, float, int] | None
+    """Where more than a third of the poses became points: a tolerance and an angle that need at
+    most half as many, and how many."""
     text: str
     """The report in sentences."""
 

@@ -10,7 +10,7 @@ use vides_engine::limits::{
 use vides_engine::math::quaternion::{angle, continue_sign};
 use vides_engine::path::{CameraPath, Plan, Pose, Space, Up};
 use vides_engine::scene::{Camera, Channel, Interpolation, Kind, Node, Scene, Track};
-use vides_engine::tools::fit::{self, Tolerance};
+use vides_engine::tools::fit::{self, TimeUnit, Tolerance};
 
 use super::convention::Continued;
 use super::error::{Cause, Place, Result};
@@ -243,6 +243,20 @@ impl Recording {
             ..Info::default()
         };
         Ok(SceneDocument::new(scene, info)?)
+    }
+
+    /// Makes times seconds that are too great to be such.
+    pub(super) fn count_seconds(&mut self, report: &mut Report) -> Result<()> {
+        let Some(times) = &mut self.seconds else {
+            return Ok(());
+        };
+        if let Some(unit) = TimeUnit::of(times)? {
+            for time in times {
+                *time *= unit.seconds();
+            }
+            report.add(Loss::TimeUnit(unit.name()));
+        }
+        Ok(())
     }
 
     /// Tells when the times begin, if not at once.

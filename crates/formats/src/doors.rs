@@ -164,11 +164,12 @@ pub fn read(
                 source: directory,
             }));
         }
-        let content = format.read(source, options, report)?;
-        if let Content::Poses(recording) = &content {
+        let mut content = format.read(source, options, report)?;
+        if let Content::Poses(recording) = &mut content {
             if recording.poses.is_empty() {
                 return Err(Place::Whole.wrong(Cause::Empty));
             }
+            recording.count_seconds(report)?;
             recording.tell_epoch(report);
         }
         Ok((format.name, content))

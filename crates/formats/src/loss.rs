@@ -83,6 +83,8 @@ pub enum Loss {
     Epoch(f64),
     /// Keyframes of a file whose frames are read in their place.
     Keyframes(usize),
+    /// Times too great for seconds, by what they count.
+    TimeUnit(&'static str),
     /// Rates beyond the range.
     Rates(usize),
     /// Everything is far away: roots are in a node there.
@@ -209,6 +211,9 @@ impl fmt::Display for Loss {
             }
             Self::Epoch(start) => {
                 write!(f, "the times begin at {start} s: they count from 0 here")
+            }
+            Self::TimeUnit(unit) => {
+                write!(f, "times beyond 1e11 are no seconds: they count {unit}")
             }
             Self::RepeatedTimes(n) => counted(f, *n, "pose% at the time of another left out"),
             Self::Keyframes(n) => {

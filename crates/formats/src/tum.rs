@@ -109,6 +109,50 @@ pub(super) fn write(
 mod tests {
     use crate::{As, Options, Source, Times, by_name, export_to, import};
 
+    /// Stamps in nanoseconds or microseconds make the film that the same ones in seconds make, and
+    /// this is said; in other lists, too.
+    #[test]
+    fn stamps_may_count_nanoseconds_or_microseconds() {
+        let film = |name: &str, row: &dyn Fn(usize) -> String| {
+            let lines: Vec<String> = (0..40).map(row).collect();
+            let source = Source::of_bytes(name, lines.join("\n").into_bytes());
+            let read = import(&source, None, &Options::default()).unwrap();
+            let losses: Vec<String> = read
+                .report
+                .losses()
+                .iter()
+                .map(ToString::to_string)
+                .collect();
+            let frames = read.document.scene.frame_count().unwrap();
+            (
+                read.start.unwrap(),
+                read.document.info.fps,
+                frames,
+                losses.join("; "),
+            )
+        };
+        let place = |k: usize| format!("{} 0.5 0 0 0 0 1", (0.1 * k as f64).sin());
+        let seconds = film("a.tum", &|k| {
+            format!("{:.2} {}", 1.7e9 + 0.05 * k as f64, place(k))
+        });
+        assert_eq!((seconds.1, seconds.2), (20.0, 40));
+        assert!(!seconds.3.contains("count nanoseconds"));
+        let units = [(50_000_000, 9, "nanoseconds"), (50_000, 6, "microseconds")];
+        for (step, digits, unit) in units {
+            let first = 1_700_000_000 * 10_i64.pow(digits);
+            let stamp = |k: usize| first + step * k as i64;
+            let made = film("a.tum", &|k| format!("{} {}", stamp(k), place(k)));
+            let heading = |k: usize| format!("{k},{},0.5,0,0,0,1,0,1,0,30", (0.1 * k as f64).sin());
+            let listed = film("a.csv", &|k| format!("{},{}", heading(k), stamp(k)));
+            for made in [made, listed] {
+                assert!((made.0 - seconds.0).abs() < 1e-6, "{}", made.0);
+                assert_eq!((made.1, made.2), (seconds.1, seconds.2), "{unit}");
+                let said = format!("times beyond 1e11 are no seconds: they count {unit}");
+                assert!(made.3.contains(&said), "{}", made.3);
+            }
+        }
+    }
+
     /// A list with uneven times of today comes back line by line.
     #[test]
     fn own_times_come_back() {

@@ -6,6 +6,7 @@
 //! accelerations nearly, and those of the turning exactly, after `fit/joins.rs`. If the path misses a
 //! pose after all, it is made again with the noise left in.
 
+mod calm;
 mod corners;
 mod joins;
 mod jumps;
@@ -39,7 +40,7 @@ use crate::path::{
 const WITHIN: f64 = 1.001;
 
 /// How well the path must meet the poses.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tolerance {
     /// Of the position, > 0.
     pub position: f64,
@@ -127,6 +128,8 @@ struct Data {
     /// One for each time. Where the recording ends between frames, the last one is not a
     /// recorded pose but what it is on its way to at the next frame.
     raw: Vec<Sample>,
+    /// What the splines take for them.
+    calm: Vec<Sample>,
     /// Which pose of the recording each is: poses at equal times are dropped.
     numbers: Vec<usize>,
     /// Of the times of the recording, if they are no seconds.
@@ -264,15 +267,13 @@ pub fn fit_points(
     best.ok_or_else(|| OutOfRange::TooFewFittedPoints.into())
 }
 
-/// Poses per point from which on a path has few enough points.
-const FEW: usize = 6;
-
-/// What is tried in turn until there are few enough points, with such a share of the tolerance: a
-/// smaller one may need fewer points.
-const TRIES: [(Follow, f64); 5] = [
+/// What is tried in turn, with such a share of the tolerance: a smaller one may need fewer points.
+const TRIES: [(Follow, f64); 7] = [
     (Follow::Smoothly, 1.0),
     (Follow::Smoothly, 0.5),
     (Follow::Smoothly, 0.2),
+    (Follow::Smoothly, 0.1),
+    (Follow::Smoothly, 0.05),
     (Follow::Exactly, 1.0),
     (Follow::ByPoints, 1.0),
 ];
@@ -295,7 +296,10 @@ const MANY: usize = 3;
 const MOST_OUTLIERS: usize = 20;
 
 /// So many standard deviations of a coordinate no noise is far from the flight.
-const BEYOND_NOISE: f64 = 4.5;
+const BEYOND_NOISE: f64 = 5.0;
+
+/// Multiples of that which are tried for a better tolerance.
+const BETTER: [f64; 3] = [1.0, 1.5, 2.0];
 
 impl Data {
     fn made(&mut self, options: &Options, poses: usize, progress: Progress<'_>) -> Result<Fitted> {
@@ -337,44 +341,70 @@ impl Data {
     }
 
     /// Where there are many points, a tolerance beyond the noise if it needs at most half of them.
-    fn better(&mut self, report: &Report, progress: Progress<'_>) -> Result<Option<(f64, usize)>> {
-        let tolerance = BEYOND_NOISE * report.noise;
-        if MANY * report.points <= report.poses || !(tolerance > self.tolerance) {
+    fn better(
+        &mut self,
+        report: &Report,
+        progress: Progress<'_>,
+    ) -> Result<Option<(Tolerance, usize)>> {
+        if MANY * report.points <= report.poses {
             return Ok(None);
         }
-        let given = std::mem::replace(&mut self.tolerance, tolerance);
-        let made = self.best(progress);
-        self.tolerance = given;
-        let points = match made {
-            Ok((path, _)) => path.points.len(),
-            Err(Error::Limit(_)) => return Ok(None),
-            Err(error) => return Err(error),
-        };
-        Ok((2 * points <= report.points).then_some((tolerance, points)))
+        let given = [self.tolerance, self.angle];
+        for times in BETTER {
+            let beyond = |noise: f64| round_up(times * BEYOND_NOISE * noise);
+            let tolerance = Tolerance {
+                position: beyond(report.noise).max(given[0]),
+                angle: beyond(report.turning_noise)
+                    .max(given[1].to_degrees())
+                    .min(180.0),
+            };
+            let with = [tolerance.position, tolerance.angle.to_radians()];
+            if with[0] <= given[0] && with[1] <= given[1] {
+                continue;
+            }
+            [self.tolerance, self.angle] = with;
+            let made = self.best(progress);
+            [self.tolerance, self.angle] = given;
+            let points = match made {
+                Ok((path, _)) => path.points.len(),
+                Err(Error::Limit(_)) => continue,
+                Err(error) => return Err(error),
+            };
+            if 2 * points <= report.points {
+                return Ok(Some((tolerance, points)));
+            }
+        }
+        Ok(None)
     }
 
     /// The path of fewest points that meets all poses, else the one that misses them least.
     fn best(&mut self, progress: Progress<'_>) -> Result<(CameraPath, Measured)> {
+        self.calm_down(false)?;
         if self.stands() {
             let path = self.standing(self.times[self.times.len() - 1])?;
             let measured = self.measured(&path)?;
             return Ok((path, measured));
         }
+        let noises = self.noises()?;
         let mut best: Option<(CameraPath, Measured)> = None;
         for (follow, share) in TRIES {
+            let given = [self.tolerance, self.angle];
             let met = best.as_ref().filter(|best| best.1.worst <= WITHIN);
-            let enough = |path: &CameraPath| FEW * path.points.len() <= self.poses();
-            if met.is_some_and(|(path, _)| follow != Follow::Smoothly || enough(path)) {
+            // Less than the noise no spline follows by few points.
+            let within_noise = (0..2).any(|k| share * given[k] < BEYOND_NOISE * noises[k]);
+            if best.is_some() && share < 1.0 && within_noise {
+                continue;
+            }
+            if met.is_some() && follow != Follow::Smoothly {
                 break;
             }
-            let [tolerance, angle] = [self.tolerance, self.angle];
-            (self.tolerance, self.angle) = (share * tolerance, share * angle);
-            let path = self.fitted(follow, progress);
-            (self.tolerance, self.angle) = (tolerance, angle);
-            let path = match path {
+            // Where a path meets all poses, only one of fewer points is better.
+            let most = met.map_or(usize::MAX, |met| met.0.points.len() - 1);
+            let path = match self.fitted(follow, share, most, progress) {
                 Err(Error::Limit(_)) if best.is_some() => continue,
                 path => path?,
             };
+            let Some(path) = path else { continue };
             if path.points.len() > self.poses() && follow != Follow::ByPoints {
                 continue;
             }
@@ -395,7 +425,7 @@ impl Data {
     /// Two equal points, as a path has at least two.
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
     fn standing(&self, frames: f64) -> Result<CameraPath> {
-        let start = self.raw[0];
+        let start = self.calm[0];
         // The hold of the last point counts.
         let hold = frames.min(f64::from(MAX_HOLD)) as u32;
         let mut path = CameraPath::try_new()?;
@@ -411,8 +441,8 @@ impl Data {
 
     /// Whether all poses are one within the tolerance.
     fn stands(&self) -> bool {
-        let start = self.raw[0];
-        self.raw.iter().all(|sample| {
+        let start = &self.calm[0];
+        self.calm.iter().all(|sample| {
             sample.position.distance(start.position) <= self.tolerance
                 && start.off(sample.turn, sample.zoom) <= self.angle
         })
@@ -426,7 +456,32 @@ impl Data {
         }
     }
 
-    fn fitted(&self, follow: Follow, progress: Progress<'_>) -> Result<CameraPath> {
+    /// None if it needs more than `most` points.
+    fn fitted(
+        &mut self,
+        follow: Follow,
+        share: f64,
+        most: usize,
+        progress: Progress<'_>,
+    ) -> Result<Option<CameraPath>> {
+        let given = [self.tolerance, self.angle];
+        [self.tolerance, self.angle] = given.map(|given| share * given);
+        let pieces = self.pieces(follow, most, progress);
+        [self.tolerance, self.angle] = given;
+        let Some((mut pieces, end)) = pieces? else {
+            return Ok(None);
+        };
+        self.even_out(&mut pieces)?;
+        self.path(&pieces, end).map(Some)
+    }
+
+    /// The pieces, and where the last one ends.
+    fn pieces(
+        &mut self,
+        follow: Follow,
+        most: usize,
+        progress: Progress<'_>,
+    ) -> Result<Option<(Vec<Piece>, Sample)>> {
         let last = self.raw.len() - 1;
         let mut go_on = |done: usize| {
             if progress(done, last) {
@@ -435,7 +490,7 @@ impl Data {
             Err(Error::from(Invalid::Cancelled))
         };
         let exact = follow != Follow::Smoothly;
-        let motion = self.motion(exact, &mut || go_on(0))?;
+        let motion = self.motion(follow, &mut || go_on(0))?;
         let mut pieces: Vec<Piece> = Vec::new();
         let mut joint = self.joint(motion.stretches[0].at(0.0).sample);
         let (mut number, mut moving) = (0, 0);
@@ -464,6 +519,9 @@ impl Data {
                 if !piece.holds {
                     joint.zoom_slope = Some(piece.zoom_slopes[1] / guess);
                     moving += 1;
+                    if moving >= most {
+                        return Ok(None);
+                    }
                     if moving >= MAX_POINTS {
                         return Err(TooMany::FittedPoints.into());
                     }
@@ -474,8 +532,7 @@ impl Data {
             }
             number += over;
         }
-        self.even_out(&mut pieces)?;
-        self.path(&pieces, joint.sample)
+        Ok(Some((pieces, joint.sample)))
     }
 
     /// View and up of the world as a quaternion in y-up axes.
@@ -550,6 +607,17 @@ impl Data {
         point.orientations[0].own = point.orientations[0].own.with(own)?;
         Ok(point)
     }
+}
+
+/// To two digits.
+fn round_up(number: f64) -> f64 {
+    if !(number > 0.0 && number.is_finite()) {
+        return 0.0;
+    }
+    let digit = 10f64.powf(number.log10().floor() - 1.0);
+    let rounded = (number / digit).ceil() * digit;
+    // As a decimal it is the number that is shown.
+    format!("{rounded:.1e}").parse().unwrap_or(number)
 }
 
 /// The vertical field of view (radians) of a picture 24 mm high.

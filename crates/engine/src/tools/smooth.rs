@@ -14,21 +14,55 @@ const LIGHT: f64 = 6e8;
 /// Rounds of weighing; what is missed after them is met exactly.
 const ROUNDS: usize = 30;
 
-/// Standard deviation of the noise, of the channel with most, from the median of third differences,
-/// which a smooth motion hardly has (Gasser, Sroka, Jennen-Steinmetz 1986 for second ones).
-pub(crate) fn noise<const N: usize>(rows: &[[f64; N]]) -> Result<f64> {
+/// Weights for noise are at most so many times heavier, and are halved so many times into the
+/// logarithms between.
+const HEAVIEST: f64 = 1e-14;
+const HALVINGS: usize = 8;
+
+/// By how much the residual may exceed the noise, and how many deviations of what so many rows say
+/// of both.
+const RESIDUAL: [f64; 2] = [1.02, 4.0];
+
+/// The standard deviation of normal noise in medians of its sizes.
+const DEVIATION_IN_MEDIANS: f64 = 1.4826;
+
+/// Standard deviation of the noise, of the channel with most, from the median of third divided
+/// differences, which a smooth motion hardly has (Gasser, Sroka, Jennen-Steinmetz 1986 for second
+/// ones).
+pub(crate) fn noise<const N: usize>(times: &[f64], rows: &[[f64; N]]) -> Result<f64> {
+    let mut factors: Vec<[f64; 4]> = vec_with_room(rows.len())?;
+    factors.extend(times.windows(4).map(|times| {
+        let factor = |k: usize| {
+            let others = (0..4).filter(|other| *other != k);
+            others
+                .map(|other| times[k] - times[other])
+                .product::<f64>()
+                .recip()
+        };
+        let all = [0, 1, 2, 3].map(factor);
+        let size = all.iter().map(|factor| factor * factor).sum::<f64>().sqrt();
+        all.map(|factor| factor / size)
+    }));
+    let difference = |at: usize, channel: usize| {
+        let parts = factors[at].iter().zip(&rows[at..]);
+        parts
+            .map(|(factor, row)| factor * row[channel])
+            .sum::<f64>()
+    };
+    deviation::<N>(factors.len(), &difference)
+}
+
+/// The greatest of the channels, by the median of the sizes.
+fn deviation<const N: usize>(count: usize, value: &dyn Fn(usize, usize) -> f64) -> Result<f64> {
     let mut most = 0.0_f64;
-    let mut differences = vec_with_room(rows.len())?;
+    let mut sizes = vec_with_room(count)?;
     for channel in 0..N {
-        differences.clear();
-        differences.extend(rows.windows(4).map(|rows| {
-            let [a, b, c, d] = [0, 1, 2, 3].map(|k: usize| rows[k][channel]);
-            (d - 3.0 * c + 3.0 * b - a).abs()
-        }));
-        let middle = differences.len() / 2;
+        sizes.clear();
+        sizes.extend((0..count).map(|at| value(at, channel).abs()));
+        let middle = count / 2;
         if middle > 0 {
-            let (_, median, _) = differences.select_nth_unstable_by(middle, f64::total_cmp);
-            most = most.max(*median / (0.6745 * 20f64.sqrt()));
+            let (_, median, _) = sizes.select_nth_unstable_by(middle, f64::total_cmp);
+            most = most.max(*median * DEVIATION_IN_MEDIANS);
         }
     }
     Ok(most)
@@ -41,6 +75,8 @@ pub(crate) struct Spline<const N: usize> {
     values: Vec<[f64; N]>,
     /// Second derivatives.
     bends: Vec<[f64; N]>,
+    /// Standard deviation of the noise left in a channel of `bends`.
+    bend_noise: f64,
 }
 
 fn add<const N: usize>(sum: &mut [f64; N], factor: f64, row: &[f64; N]) {
@@ -56,18 +92,84 @@ fn apart<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
 
 impl<const N: usize> Spline<N> {
     /// Near all rows: `allowed` is how far each may be missed: 0 not at all, an
-    /// infinite one does not count. `round` is called
-    /// before each solution.
+    /// infinite one does not count. No smoother than that its residual is the noise, if that is
+    /// not 0. `round` is called before each solution.
     pub(crate) fn near(
         times: &[f64],
         rows: &[[f64; N]],
         allowed: &[f64],
+        noise: f64,
         round: &mut dyn FnMut() -> Result<()>,
     ) -> Result<Self> {
-        let spline = Self::straight(times, rows)?;
+        let mut spline = Self::straight(times, rows)?;
         let step = spline.step();
-        let light = LIGHT * step.powi(3).max(1.0 / step);
+        let mut light = LIGHT * step.powi(3).max(1.0 / step);
+        if noise > 0.0 {
+            let counts = |k: usize| allowed[k] > 0.0 && allowed[k].is_finite();
+            light = spline.light_for(rows, &counts, noise, light, round)?;
+            // What a low pass of that length leaves of white noise.
+            let length = (light * step).sqrt().sqrt().max(step);
+            spline.bend_noise = 0.3 * noise * (step / length.powi(5)).sqrt();
+        }
         spline.weighed(rows, allowed, light, round)
+    }
+
+    /// Whether noise misses some row by more than `most`, as normal noise does where there are many.
+    pub(crate) fn outgrows(
+        times: &[f64],
+        rows: &[[f64; N]],
+        noise: f64,
+        most: f64,
+        round: &mut dyn FnMut() -> Result<()>,
+    ) -> Result<bool> {
+        let mut spline = Self::straight(times, rows)?;
+        let lightest = LIGHT * spline.step().powi(3);
+        let all = spline.light_for(rows, &|_| true, noise, lightest, round)?;
+        let mut light = vec_with_room(rows.len())?;
+        light.resize(rows.len(), all);
+        spline.solve(rows, &light)?;
+        let mut missed = rows.iter().zip(&spline.values);
+        Ok(missed.any(|(row, value)| apart(row, value) > most))
+    }
+
+    /// The lightest of all weights with which the residual is no greater than the noise (V. A.
+    /// Morozov's discrepancy principle, 1966).
+    fn light_for(
+        &mut self,
+        rows: &[[f64; N]],
+        counts: &dyn Fn(usize) -> bool,
+        noise: f64,
+        lightest: f64,
+        round: &mut dyn FnMut() -> Result<()>,
+    ) -> Result<f64> {
+        let mut counted = vec_with_room(rows.len())?;
+        counted.extend((0..rows.len()).filter(|k| counts(*k)));
+        let mut light = vec_with_room(rows.len())?;
+        light.resize(rows.len(), lightest);
+        let most = (RESIDUAL[0] + RESIDUAL[1] / (counted.len() as f64).sqrt()) * noise;
+        let [mut low, mut high] = [HEAVIEST.ln(), 0.0];
+        let mut now = 0.0_f64;
+        for _ in 0..=HALVINGS {
+            round()?;
+            for k in &counted {
+                light[*k] = lightest * now.exp();
+            }
+            self.solve(rows, &light)?;
+            let off = |at: usize, channel: usize| {
+                let k = counted[at];
+                rows[k][channel] - self.values[k][channel]
+            };
+            if deviation::<N>(counted.len(), &off)? <= most {
+                low = now;
+            } else {
+                high = now;
+            }
+            if low == 0.0 {
+                break;
+            }
+            now = 0.5 * (low + high);
+        }
+        Ok(lightest * low.exp())
     }
 
     /// A low pass: rows one a time, of whose waves ω a time it leaves 1/(1 + `light`·ω⁴), but
@@ -147,16 +249,22 @@ impl<const N: usize> Spline<N> {
         times: &[f64],
         rows: &[[f64; N]],
         bound: f64,
+        noise: f64,
         left_out: &[bool],
     ) -> Result<Self> {
         let mut spline = Self::straight(times, rows)?;
         let step = spline.step();
         let mut light = vec_with_room(rows.len())?;
-        let all = step * step * step;
+        let mut all = step * step * step;
+        if noise > 0.0 {
+            let counts = |k: usize| !left_out[k];
+            let least = spline.light_for(rows, &counts, noise, LIGHT * all, &mut || Ok(()))?;
+            all = all.max(least);
+        }
         light.extend(
             left_out
                 .iter()
-                .map(|out| if *out { LIGHT * all } else { all }),
+                .map(|out| if *out { LIGHT * step.powi(3) } else { all }),
         );
         for _ in 0..ROUNDS {
             spline.solve(rows, &light)?;
@@ -175,6 +283,7 @@ impl<const N: usize> Spline<N> {
             times: vec_with_room(rows.len())?,
             values: vec_with_room(rows.len())?,
             bends: vec_with_room(rows.len())?,
+            bend_noise: 0.0,
         };
         spline.times.extend_from_slice(times);
         spline.values.extend_from_slice(rows);
@@ -290,6 +399,11 @@ impl<const N: usize> Spline<N> {
         &self.bends[row]
     }
 
+    /// Standard deviation of the noise left in a channel of the second derivatives.
+    pub(crate) const fn bend_noise(&self) -> f64 {
+        self.bend_noise
+    }
+
     /// Value and two derivatives at any time.
     pub(crate) fn at(&self, time: f64) -> [[f64; N]; 3] {
         let last = self.times.len() - 1;
@@ -357,7 +471,7 @@ mod tests {
             .collect();
         let mut allowed = [0.006; 500];
         (allowed[0], allowed[499]) = (0.0, 0.0);
-        let spline = Spline::near(&times, &rows, &allowed, &mut || Ok(())).unwrap();
+        let spline = Spline::near(&times, &rows, &allowed, 0.0, &mut || Ok(())).unwrap();
         for (k, row) in rows.iter().enumerate() {
             assert!(
                 (spline.value(k)[0] - row[0]).abs() <= 1.1 * allowed[k] + 1e-12,

@@ -48,12 +48,16 @@ impl Data {
         })
     }
 
-    /// Of the positions.
-    fn noise(&self) -> Result<f64> {
-        let mut places = vec_with_room(self.poses())?;
-        let all = self.raw.iter().take(self.poses());
-        places.extend(all.map(|sample| sample.position.to_array()));
-        noise(&places)
+    /// Of the positions, and of the views in radians.
+    pub(super) fn noises(&self) -> Result<[f64; 2]> {
+        let count = self.poses();
+        let (mut places, mut turns) = (vec_with_room(count)?, vec_with_room(count)?);
+        let all = || self.raw.iter().take(count);
+        places.extend(all().map(|sample| sample.position.to_array()));
+        turns.extend(all().map(|sample| sample.turn.to_array()));
+        let times = &self.times[..count];
+        // On S³ an angle counts half.
+        Ok([noise(times, &places)?, 2.0 * noise(times, &turns)?])
     }
 
     pub(super) fn report(
@@ -66,6 +70,7 @@ impl Data {
             .points
             .iter()
             .filter(|point| point.orientations[0].hold > 0);
+        let [noise, turning] = self.noises()?;
         Ok(Report {
             points: path.points.len(),
             poses,
@@ -79,7 +84,8 @@ impl Data {
             outliers: self.outliers().count(),
             dropped: poses - self.poses(),
             unit: self.unit,
-            noise: self.noise()?,
+            noise,
+            turning_noise: turning.to_degrees(),
             better: None,
             robust: None,
         })

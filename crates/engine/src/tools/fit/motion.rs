@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 
 use glam::{DQuat, DVec3, DVec4};
 
-use super::{Data, Sample, view_angle};
+use super::{Data, Follow, Sample, view_angle};
 use crate::error::{Invalid, Result, vec_with_room};
 use crate::limits::{MAX_ZOOM, MIN_ZOOM};
 use crate::tools::smooth::{Spline, noise};
@@ -14,7 +14,8 @@ use crate::tools::smooth::{Spline, noise};
 /// for the pieces.
 const SHARES: [f64; 2] = [0.3, 0.95];
 
-/// Standard deviations of the noise by which the splines may miss a pose.
+/// Standard deviations of a coordinate by which bounded noise misses a pose at most: at the corner of
+/// a cube three.
 const DEVIATIONS: f64 = 3.5;
 
 /// What moves by less than this share of the tolerance rests,
@@ -41,6 +42,9 @@ const LEAD: usize = 12;
 
 /// One of this many poses before another has the right sign.
 const BEFORE: usize = 6;
+
+/// So many standard deviations of the noise no pose is off that is no outlier.
+const OUTSTANDING: f64 = 6.0;
 
 /// Rounds in which poses are left out and taken in again.
 const AGAIN: usize = 8;
@@ -73,9 +77,21 @@ pub(super) struct Motion {
     pub parts: Vec<Part>,
     /// One for each.
     pub stretches: Vec<Stretch>,
-    /// The greatest accelerations in them.
-    pub peaks: [f64; 2],
+    /// Of them.
+    pub peaks: Peaks,
 }
+
+/// Accelerations of the position and of the turning on S³.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Peaks {
+    /// The greatest ones.
+    pub greatest: [f64; 2],
+    /// What noise may make of them.
+    pub unsure: [f64; 2],
+}
+
+/// So many standard deviations of what noise leaves in an acceleration say nothing.
+const UNSURE: f64 = 1.0;
 
 impl Motion {
     /// Whether a part ends at a corner.
@@ -161,15 +177,47 @@ impl Stretch {
     }
 }
 
-impl Data {
-    /// `exact`: with the noise left in.
-    pub(super) fn motion(
-        &self,
+/// The noise of the rows of a spline.
+#[derive(Clone, Copy)]
+struct Noise {
+    /// Standard deviation of a channel.
+    deviation: f64,
+    /// The same if it misses some rows by more than [`DEVIATIONS`], else 0: then the splines must not
+    /// turn to these.
+    unbounded: f64,
+}
+
+impl Noise {
+    /// Noise that the splines have room enough for anyway counts as bounded.
+    fn of<const N: usize>(
+        times: &[f64],
+        rows: &[[f64; N]],
+        allowed: f64,
         exact: bool,
         round: &mut dyn FnMut() -> Result<()>,
+    ) -> Result<Self> {
+        let deviation = noise(times, rows)?;
+        let most = DEVIATIONS * deviation;
+        let counts = !exact && most > SHARES[0] * allowed;
+        let unbounded = counts && Spline::outgrows(times, rows, deviation, most, round)?;
+        Ok(Self {
+            deviation,
+            unbounded: if unbounded { deviation } else { 0.0 },
+        })
+    }
+}
+
+impl Data {
+    /// With the noise left in, unless it follows smoothly.
+    pub(super) fn motion(
+        &mut self,
+        follow: Follow,
+        round: &mut dyn FnMut() -> Result<()>,
     ) -> Result<Motion> {
+        let exact = follow != Follow::Smoothly;
         let all = 0..=self.raw.len() - 1;
         let mut parts = Vec::new();
+        self.calm_down(exact)?;
         let place = |a: &Sample, b: &Sample| a.position.distance(b.position) / self.tolerance;
         let view = |a: &Sample, b: &Sample| a.off(b.turn, b.zoom) / self.angle;
         let corners = self.corners()?;
@@ -201,9 +249,10 @@ impl Data {
                 first = end;
             }
         }
-        self.set_frames(&mut parts);
+        self.set_frames(&mut parts, follow);
         let mut stretches = vec_with_room(parts.len())?;
         let mut most = [[0.0_f64; 2]; 2];
+        let mut unsure = [0.0_f64; 2];
         for k in 0..parts.len() {
             let stretch = self.stretch(&parts, [k, k], exact, round)?;
             for (most, now) in most
@@ -213,10 +262,12 @@ impl Data {
             {
                 *most = most.max(*now);
             }
+            let left = [stretch.place.bend_noise(), stretch.turn.bend_noise()];
+            unsure = [0, 1].map(|k| unsure[k].max(UNSURE * left[k]));
             stretches.push(stretch);
         }
-        let [speeds, mut peaks] = most;
-        for (peak, speed) in peaks.iter_mut().zip(speeds) {
+        let [speeds, mut greatest] = most;
+        for (peak, speed) in greatest.iter_mut().zip(speeds) {
             if *peak < EVEN * speed / self.fps {
                 *peak = UNSEEN * speed / self.fps;
             }
@@ -224,7 +275,7 @@ impl Data {
         Ok(Motion {
             parts,
             stretches,
-            peaks,
+            peaks: Peaks { greatest, unsure },
         })
     }
 
@@ -235,17 +286,23 @@ impl Data {
     }
 
     /// Where parts meet between frames, the one that moves less has no more than its whole frames.
-    fn set_frames(&self, parts: &mut [Part]) {
+    fn set_frames(&self, parts: &mut [Part], follow: Follow) {
         let last = self.times[self.times.len() - 1];
         let mut begin = 0.0;
         for k in 0..parts.len() {
             let time = self.times[*parts[k].range.end()];
+            let cut = self.is_cut(&parts[k]);
             let still = parts
                 .get(k + 1)
                 .is_some_and(|next| next.kind > parts[k].kind);
-            let end = if still { time.ceil() } else { time.floor() };
+            let end = match (follow, still && !cut) {
+                // Where the points are.
+                (Follow::ByPoints, _) => time.round(),
+                (_, true) => time.ceil(),
+                (_, false) => time.floor(),
+            };
             // A cut takes a frame, whatever is left for what follows.
-            let least = begin + f64::from(u8::from(self.is_cut(&parts[k])));
+            let least = begin + f64::from(u8::from(cut));
             let end = end.max(least).min(last);
             parts[k].frames = [begin, end];
             begin = end;
@@ -263,13 +320,13 @@ impl Data {
         let mut begin = at;
         while at < last {
             let still =
-                |k: &usize| self.left_out[*k] || apart(&self.raw[at], &self.raw[*k]) <= STILL;
+                |k: &usize| self.left_out[*k] || apart(&self.calm[at], &self.calm[*k]) <= STILL;
             // Whether it rests in what is left out, the pose behind says.
             let there = |k: &usize| !self.left_out[*k];
             let end = (at + 1..=last).take_while(still).filter(there).last();
             let end = end.unwrap_or(at);
             let frames = self.times[end].floor() - self.times[at].ceil();
-            let equal = |k: usize| apart(&self.raw[at], &self.raw[k]) <= EQUAL;
+            let equal = |k: usize| apart(&self.calm[at], &self.calm[k]) <= EQUAL;
             if frames >= REST || frames >= PAUSE && (at..=end).all(equal) {
                 runs.try_reserve(2)?;
                 if begin < at {
@@ -331,7 +388,7 @@ impl Data {
             Some(part) if leads[0] => [part.spot, *part.range.start()],
             _ => [first; 2],
         };
-        let share = |noise: f64, allowed: f64, k: usize, held: [bool; 2]| {
+        let share = |noise: Noise, allowed: f64, k: usize, held: [bool; 2]| {
             if self.left_out[k] && !(exact && k >= self.poses()) {
                 return f64::INFINITY;
             }
@@ -345,6 +402,11 @@ impl Data {
             });
             let to_end = to_end[0].min(to_end[1]);
             let least = SHARES[0] * (to_end * to_end).clamp(0.02, 1.0);
+            let noise = if noise.unbounded > 0.0 {
+                f64::INFINITY
+            } else {
+                noise.deviation
+            };
             (DEVIATIONS * noise).clamp(least * allowed, SHARES[1] * allowed)
         };
         let mut allowed: Vec<f64> = vec_with_room(times.len())?;
@@ -353,27 +415,28 @@ impl Data {
         let mut zooms: Vec<[f64; 1]> = vec_with_room(times.len())?;
         let (stays, rest) = (*kind != Kind::Moves, *kind == Kind::Rests);
         for k in all.clone() {
-            let place = &self.raw[if stays { *spot } else { at(k, stands, left) }];
-            let view = &self.raw[if rest { first } else { at(k, rests, rested) }];
+            let place = &self.calm[if stays { *spot } else { at(k, stands, left) }];
+            let view = &self.calm[if rest { first } else { at(k, rests, rested) }];
             places.push(place.position.to_array());
             turns.push(view.turn.to_array());
             zooms.push([view.zoom]);
         }
-        let now = noise(&places)?;
+        let now = Noise::of(times, &places, self.tolerance, exact, round)?;
         allowed.extend(all.clone().map(|k| share(now, self.tolerance, k, stands)));
-        let place = Spline::near(times, &places, &allowed, round)?;
+        let place = Spline::near(times, &places, &allowed, now.unbounded, round)?;
         allowed.clear();
-        let now = noise(&turns)?;
         // On S³ an angle counts half.
+        let now = Noise::of(times, &turns, 0.5 * self.angle, exact, round)?;
         allowed.extend(all.clone().map(|k| share(now, 0.5 * self.angle, k, rests)));
-        let turn = Spline::near(times, &turns, &allowed, round)?;
-        let now = noise(&zooms)?;
+        let turn = Spline::near(times, &turns, &allowed, now.unbounded, round)?;
+        let within = zoom_within(self.raw[first].zoom, self.angle);
+        let now = Noise::of(times, &zooms, within, exact, round)?;
         allowed.clear();
         allowed.extend(all.map(|k| {
             let within = zoom_within(self.raw[k].zoom, self.angle);
             share(now, within, k, rests)
         }));
-        let zoom = Spline::near(times, &zooms, &allowed, round)?;
+        let zoom = Spline::near(times, &zooms, &allowed, now.unbounded, round)?;
         Ok(Stretch {
             kind: *kind,
             first,
@@ -410,13 +473,21 @@ impl Data {
         }
         let mut found: Vec<Sample> = vec_with_room(count)?;
         let mut off: Vec<bool> = vec_with_room(count)?;
+        let times = &self.times;
+        // On S³ an angle counts half.
+        let noises = [
+            noise(times, &places)?,
+            noise(times, &turns)?,
+            noise(times, &angles)?,
+        ];
+        let given = [self.tolerance, 0.5 * self.angle, self.angle];
+        let most: [f64; 3] = std::array::from_fn(|k| given[k].max(OUTSTANDING * noises[k]));
         // What is off draws those beside it along: so again without what seemed to be.
         for _ in 0..AGAIN {
             let out = &self.left_out;
-            let place = Spline::robust(&self.times, &places, 0.5 * self.tolerance, out)?;
-            // On S³ an angle counts half.
-            let turn = Spline::robust(&self.times, &turns, 0.25 * self.angle, out)?;
-            let angle = Spline::robust(&self.times, &angles, 0.5 * self.angle, out)?;
+            let place = Spline::robust(times, &places, 0.5 * most[0], noises[0], out)?;
+            let turn = Spline::robust(times, &turns, 0.5 * most[1], noises[1], out)?;
+            let angle = Spline::robust(times, &angles, 0.5 * most[2], noises[2], out)?;
             found.clear();
             found.extend((0..count).map(|k| Sample {
                 position: DVec3::from_array(*place.value(k)),
@@ -425,8 +496,8 @@ impl Data {
             }));
             off.clear();
             off.extend(self.raw.iter().zip(&found).map(|(sample, found)| {
-                found.position.distance(sample.position) > self.tolerance
-                    || sample.off(found.turn, found.zoom) > self.angle
+                found.position.distance(sample.position) > most[0]
+                    || sample.off(found.turn, found.zoom) > (2.0 * most[1]).max(most[2])
             }));
             if off == self.left_out {
                 break;

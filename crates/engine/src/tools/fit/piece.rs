@@ -3,7 +3,7 @@
 
 use glam::{DQuat, DVec3};
 
-use super::motion::{Kind, State, Stretch};
+use super::motion::{Kind, Peaks, State, Stretch};
 use super::pace::{Way, pace, timing};
 use super::{Data, Joint, Piece, Sample};
 use crate::error::{Result, vec_with_room};
@@ -55,7 +55,7 @@ pub(super) struct Course {
     joint: Joint,
     /// Whether it begins and ends where the stretch does: no acceleration goes on there.
     open: [bool; 2],
-    peaks: [f64; 2],
+    peaks: Peaks,
     /// Nothing better was found: it need not be smooth,
     pub must: bool,
     /// and may miss poses.
@@ -68,7 +68,7 @@ impl Course {
         [from, to]: [f64; 2],
         joint: Joint,
         open: [bool; 2],
-        peaks: [f64; 2],
+        peaks: Peaks,
     ) -> Result<Self> {
         let mut states = vec_with_room(MOMENTS + 1)?;
         states.extend((0..=MOMENTS).map(|k| stretch.at(from + (to - from) * Self::share(k))));
@@ -106,7 +106,7 @@ impl Data {
     pub(super) fn longest(
         &self,
         stretch: &Stretch,
-        peaks: [f64; 2],
+        peaks: Peaks,
         [begin, from, end]: [f64; 3],
         joint: Joint,
         guess: f64,
@@ -170,7 +170,7 @@ impl Data {
         if stretch.kind == Kind::Rests {
             return Ok(rest(frames[1] - frames[0], joint));
         }
-        let mut course = Course::new(stretch, frames, joint, [false; 2], [0.0; 2])?;
+        let mut course = Course::new(stretch, frames, joint, [false; 2], Peaks::default())?;
         (course.must, course.free) = (true, true);
         let moved = match stretch.kind {
             Kind::Moves => self.moving(&course)?,
@@ -340,11 +340,12 @@ impl Data {
     }
 
     /// Such a share of the greatest accelerations, of the position and on S³, or what counts as
-    /// nothing.
+    /// nothing or may be noise.
     fn shares(&self, course: &Course, shares: [f64; 2]) -> [f64; 2] {
         let nothing = NOTHING / (self.fps * self.fps);
         let least = [self.tolerance, self.angle].map(|tolerance| nothing * tolerance);
-        [0, 1].map(|k| (shares[k] * course.peaks[k]).max(least[k]))
+        let Peaks { greatest, unsure } = course.peaks;
+        [0, 1].map(|k| (shares[k] * greatest[k]).max(least[k]).max(unsure[k]))
     }
 
     /// Whether spin and accelerations go on at the ends: from the piece before, and to where the

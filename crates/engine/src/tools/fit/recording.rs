@@ -67,6 +67,7 @@ impl Data {
             numbers,
             unit,
             left_out,
+            calm: Vec::new(),
             cuts: Vec::new(),
             gaps: 0,
             tolerance: tolerance.position,

@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use super::Tolerance;
 use super::time_unit::TimeUnit;
 
 /// How far poses are missed.
@@ -56,9 +57,11 @@ pub struct Report {
     /// Standard deviation of the noise of a coordinate of the positions, estimated from their third
     /// differences.
     pub noise: f64,
+    /// Likewise of the noise of the views about an axis, in degrees.
+    pub turning_noise: f64,
     /// A larger tolerance that needs at most half as many points, and how many, where more than a
     /// third of the poses became points.
-    pub better: Option<(f64, usize)>,
+    pub better: Option<(Tolerance, usize)>,
     /// Outliers that a robust fit leaves out, and the points that it then needs, where these are at
     /// most half as many and the fit was not robust.
     pub robust: Option<(usize, usize)>,
@@ -95,8 +98,9 @@ impl fmt::Display for Report {
         if let Some((tolerance, points)) = self.better {
             write!(
                 f,
-                "\nnoise of about {:.1e}: a tolerance of {tolerance:.1e} gives {points} points",
-                self.noise
+                "\nnoise of about {:.1e} and {:.2}°: a tolerance of {:.1e} with an angle of {}° gives \
+                 {points} points",
+                self.noise, self.turning_noise, tolerance.position, tolerance.angle,
             )?;
         }
         if let Some((outliers, points)) = self.robust {

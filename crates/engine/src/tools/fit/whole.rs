@@ -2,7 +2,7 @@
 
 use glam::{DMat3, DVec3};
 
-use super::motion::{Motion, Stretch};
+use super::motion::{Motion, Peaks, Stretch};
 use super::pace::{Way, timing};
 use super::piece::Course;
 use super::{Data, Joint, Piece};
@@ -79,7 +79,7 @@ impl Data {
     fn whole(
         &self,
         stretch: &Stretch,
-        peaks: [f64; 2],
+        peaks: Peaks,
         joint: Joint,
         lengths: &[f64],
     ) -> Result<Option<Piece>> {
