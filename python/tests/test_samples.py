@@ -166,3 +166,13 @@ def test_a_list_that_becomes_a_list_keeps_its_times(tmp_path: Path) -> None:
     assert not any("begin at" in line for line in told)
     rows = (tmp_path / "b.euroc").read_text().splitlines()[1:]
     assert np.allclose([int(row.split(",")[0]) / 1e9 for row in rows], stamps, rtol=0, atol=5e-6)
+
+
+def test_motions_are_those_of_single_frames_in_any_order() -> None:
+    path = vides.Path(RNG.uniform(-1, 1, (6, 3)), frames=200)
+    frames = RNG.permutation(np.linspace(1, 200, 777))
+    motions = path.motion(frames)
+    alone = np.concatenate([path.motion(frame) for frame in frames])
+    np.testing.assert_array_equal(motions, alone)
+    with pytest.raises(vides.Error, match="201"):
+        path.motion([5, 201, 300])
