@@ -1,8 +1,8 @@
 //! Poses and positions in numpy arrays, row by row: ten and three doubles in a row.
 
-use numpy::ndarray::Array2;
+use numpy::ndarray::{Dimension, IntoDimension};
 use numpy::{
-    PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2,
+    PyArray, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2,
     PyReadwriteArray2, PyUntypedArrayMethods,
 };
 use pyo3::prelude::*;
@@ -79,32 +79,39 @@ pub(crate) fn numbers(array: &PyReadonlyArray1<'_, f64>) -> Vec<f64> {
 /// An array with N numbers in a row.
 pub(crate) fn table<'py, const N: usize>(
     py: Python<'py>,
-    rows: impl ExactSizeIterator<Item = [f64; N]>,
+    rows: impl ExactSizeIterator<Item = [f64; N]> + Send,
 ) -> Bound<'py, PyArray2<f64>> {
-    let count = rows.len();
-    let mut numbers = Vec::with_capacity(count * N);
-    numbers.extend(rows.flatten());
-    let shaped = Array2::from_shape_vec((count, N), numbers);
-    PyArray2::from_owned_array(py, shaped.unwrap_or_else(|_| Array2::zeros((0, N))))
+    array_of(py, [rows.len(), N], rows, |row, to| *to = row)
 }
 
-/// N numbers computed from each pose of a contiguous array.
-fn of_each<const N: usize>(
-    py: Python<'_>,
-    array: &PyReadonlyArray2<'_, f64>,
-    made: impl Fn(&[f64; WIDTH]) -> [f64; N] + Sync,
-) -> PyResult<Vec<f64>> {
+/// An array of numpy's own memory, whose pages are large and so soon there. `write` fills each N
+/// numbers, which are zero, in their place.
+fn array_of<'py, D: Dimension, Row, const N: usize>(
+    py: Python<'py>,
+    shape: impl IntoDimension<Dim = D>,
+    rows: impl Iterator<Item = Row> + Send,
+    write: impl Fn(Row, &mut [f64; N]) + Sync,
+) -> Bound<'py, PyArray<f64, D>> {
+    let array = PyArray::zeros(py, shape, false);
+    // A new array is contiguous.
+    if let Ok(numbers) = array.readwrite().as_slice_mut() {
+        let (room, _) = numbers.as_chunks_mut::<N>();
+        py.detach(|| {
+            room.iter_mut()
+                .zip(rows)
+                .for_each(|(to, row)| write(row, to))
+        });
+    }
+    array
+}
+
+/// The poses of a contiguous array.
+fn pose_rows<'a>(array: &'a PyReadonlyArray2<'_, f64>) -> PyResult<&'a [[f64; WIDTH]]> {
     let shape = [array.shape()[0], array.shape()[1]];
     if shape[1] != WIDTH {
         return Err(wrong_shape(shape, WIDTH).into());
     }
-    let (rows, _) = array.as_slice()?.as_chunks::<WIDTH>();
-    Ok(py.detach(|| {
-        let mut all = Vec::with_capacity(rows.len() * N);
-        rows.iter()
-            .for_each(|row| all.extend_from_slice(&made(row)));
-        all
-    }))
+    Ok(array.as_slice()?.as_chunks::<WIDTH>().0)
 }
 
 /// View and up of a pose.
@@ -118,12 +125,13 @@ pub(crate) fn quaternions<'py>(
     py: Python<'py>,
     array: PyReadonlyArray2<'py, f64>,
 ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-    let all = of_each(py, &array, |row| {
+    let poses = pose_rows(&array)?;
+    let write = |row: &[f64; WIDTH], to: &mut [f64; 4]| {
         let [view, up] = axes(row);
         let q = quaternion_from_view(view, up);
-        [q.w, q.x, q.y, q.z]
-    })?;
-    PyArray1::from_vec(py, all).reshape((array.shape()[0], 4))
+        (to[0], to[1], to[2], to[3]) = (q.w, q.x, q.y, q.z);
+    };
+    Ok(array_of(py, [poses.len(), 4], poses.iter(), write))
 }
 
 /// Camera-to-world matrices of poses. Column k is the column of (left, up, view) that `columns`
@@ -135,16 +143,18 @@ pub(crate) fn matrices<'py>(
     columns: [usize; 3],
     signs: [f64; 3],
 ) -> PyResult<Bound<'py, PyArray3<f64>>> {
-    let all = of_each(py, &array, |row| {
+    let poses = pose_rows(&array)?;
+    let write = |row: &[f64; WIDTH], to: &mut [f64; 16]| {
         let [view, up] = axes(row);
         let own = [up.cross(view), up, view];
-        let [a, b, c] = [0, 1, 2].map(|k| own[columns[k]] * signs[k]);
-        let [x, y, z] = [row[0], row[1], row[2]];
-        [
-            a.x, b.x, c.x, x, a.y, b.y, c.y, y, a.z, b.z, c.z, z, 0.0, 0.0, 0.0, 1.0,
-        ]
-    })?;
-    PyArray1::from_vec(py, all).reshape((array.shape()[0], 4, 4))
+        for k in 0..3 {
+            let axis = own[columns[k]] * signs[k];
+            (to[k], to[4 + k], to[8 + k]) = (axis.x, axis.y, axis.z);
+            to[4 * k + 3] = row[k];
+        }
+        to[15] = 1.0;
+    };
+    Ok(array_of(py, [poses.len(), 4, 4], poses.iter(), write))
 }
 
 /// Poses from positions, quaternions w x y z and zooms.

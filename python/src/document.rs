@@ -3,12 +3,12 @@
 use std::path::PathBuf;
 use std::sync::{PoisonError, RwLock};
 
-use numpy::{PyArray2, PyReadonlyArray1, PyReadonlyArray2, PyReadwriteArray2};
+use numpy::{PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyReadwriteArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use vides::document::{self, Edit, Info};
 use vides::glam::DVec3;
-use vides::path::{CameraPath, Change, CurveKind, Pose, Space, Up};
+use vides::path::{CameraPath, Change, CurveKind, Motion, Pose, Space, Target, Up};
 use vides::tools::check::Finding;
 use vides::tools::fit::Progress;
 
@@ -17,6 +17,9 @@ use crate::error::{Failure, Result};
 use crate::interrupt::interruptible;
 use crate::scene::Scene;
 use crate::{edits, planning, values};
+
+/// Motions at once: few enough for the second-level cache.
+const MOTIONS: usize = 1 << 14;
 
 /// A path with its info and its undo history.
 #[pyclass(frozen, module = "vides._vides")]
@@ -335,9 +338,8 @@ impl Document {
     ) -> Result<Bound<'py, PyArray2<f64>>> {
         let frames = arrays::numbers(&frames);
         let poses = self.read(py, |document| {
-            let sampler = document.sampler()?;
             let mut poses = vec![Pose::default(); frames.len()];
-            sampler.poses_at(&frames, &mut poses)?;
+            document.sampler()?.poses_at(&frames, &mut poses)?;
             Ok::<_, Failure>(poses)
         })?;
         Ok(table(py, poses.iter().map(arrays::row)))
@@ -349,21 +351,24 @@ impl Document {
         frames: PyReadonlyArray1<'py, f64>,
     ) -> Result<Bound<'py, PyArray2<f64>>> {
         let frames = arrays::numbers(&frames);
-        let rows = self.read(py, |document| {
+        let array = PyArray2::zeros(py, [frames.len(), 4], false);
+        let mut room = array.readwrite();
+        let (rows, _) = rows_mut(&mut room, 4)?.as_chunks_mut::<4>();
+        self.read(py, |document| {
             let sampler = document.sampler()?;
-            let mut rows = Vec::with_capacity(frames.len());
-            for &frame in &frames {
-                let motion = sampler.motion(frame)?;
-                rows.push([
-                    motion.distance,
-                    motion.speed,
-                    motion.turning.to_degrees(),
-                    motion.curvature,
-                ]);
+            let mut motions = vec![Motion::default(); frames.len().min(MOTIONS)];
+            for (frames, rows) in frames.chunks(MOTIONS).zip(rows.chunks_mut(MOTIONS)) {
+                let motions = &mut motions[..frames.len()];
+                sampler.motions_at(frames, motions)?;
+                for (row, motion) in rows.iter_mut().zip(motions) {
+                    let turning = motion.turning.to_degrees();
+                    *row = [motion.distance, motion.speed, turning, motion.curvature];
+                }
             }
-            Ok::<_, Failure>(rows)
+            Ok::<_, Failure>(())
         })?;
-        Ok(table(py, rows.into_iter()))
+        drop(room);
+        Ok(array)
     }
 
     fn length(&self, py: Python<'_>) -> Result<f64> {

@@ -257,3 +257,13 @@ def test_times_of_poses_are_saved() -> None:
         samples.save("missing/poses.csv")
     with pytest.raises(ValueError, match="poses|empty|no "):
         samples[:0].save("none.csv")
+
+
+def test_motions_are_those_of_single_frames_in_any_order() -> None:
+    path = vides.Path(RNG.uniform(-1, 1, (6, 3)), frames=200)
+    frames = RNG.permutation(np.linspace(1, 200, 777))
+    motions = path.motion(frames)
+    alone = np.concatenate([path.motion(frame) for frame in frames])
+    np.testing.assert_array_equal(motions, alone)
+    with pytest.raises(vides.Error, match="201"):
+        path.motion([5, 201, 300])

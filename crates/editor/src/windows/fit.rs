@@ -27,8 +27,14 @@ const SAME_LENS: f64 = 5e-4;
 /// What a button above the graphs was pressed for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Offer {
-    Tolerance(f64),
+    Tolerance(Tolerance),
     Robust,
+}
+
+/// Length and angle of a tolerance.
+fn of_tolerance(language: Language, tolerance: Tolerance) -> String {
+    let [position, angle] = [tolerance.position, tolerance.angle].map(|at| short(language, at));
+    format!("{position} · {angle}°")
 }
 
 /// A number with two digits that count, as the panel is narrow; whole digits are kept.
@@ -116,7 +122,7 @@ impl FitShown {
         let mut taken = None;
         let size = vec2(ui.available_width(), theme::ROW);
         if let Some((tolerance, points)) = self.report.better {
-            let words = fill(texts.better, &[&short(language, tolerance), &points]);
+            let words = fill(texts.better, &[&of_tolerance(language, tolerance), &points]);
             let button = ui.add(Button::new(words).min_size(size));
             if button.on_hover_text(texts.better_hint).clicked() {
                 taken = Some(Offer::Tolerance(tolerance));

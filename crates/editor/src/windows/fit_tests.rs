@@ -128,12 +128,12 @@ fn a_tolerance_below_the_noise_offers_a_better_one() {
         screenshot(&mut window, &format!("fit-better-{name}.png"));
         let offer = fill(
             language.texts().fit.better,
-            &[&super::short(language, tolerance), &points_then],
+            &[&super::of_tolerance(language, tolerance), &points_then],
         );
         click(&mut window, &offer);
         assert_eq!(points(&window), points_then);
         assert!(2 * points_then <= before.points && report(&window).better.is_none());
-        assert!(report(&window).position.greatest <= 1.001 * tolerance);
+        assert!(report(&window).position.greatest <= 1.001 * tolerance.position);
     }
 }
 

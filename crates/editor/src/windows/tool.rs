@@ -75,7 +75,10 @@ impl ToolWindow {
             self.fields(editor, ui, actions);
             let fit = self.fit.as_ref();
             match fit.and_then(|fit| fit.show(editor, ui, actions)) {
-                Some(Offer::Tolerance(tolerance)) => self.set_named("tolerance", tolerance),
+                Some(Offer::Tolerance(tolerance)) => {
+                    self.set_named("tolerance", tolerance.position);
+                    self.set_named("angle", tolerance.angle);
+                }
                 Some(Offer::Robust) => self.set_named("robust", 1.0),
                 None => {}
             }

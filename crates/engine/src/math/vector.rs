@@ -10,23 +10,73 @@
 
 #![allow(unsafe_code)]
 
-pub(crate) trait Vector: Copy {
-    const LANES: usize;
+/// What polynomials are computed with: a number, a vector of them, or either with its derivative.
+pub(crate) trait Number: Copy {
     fn splat(value: f64) -> Self;
-    /// The first [`Self::LANES`] numbers of a slice.
-    fn load(from: &[f64]) -> Self;
-    fn store(self, to: &mut [f64]);
     fn add(self, other: Self) -> Self;
     fn sub(self, other: Self) -> Self;
     fn mul(self, other: Self) -> Self;
-    fn div(self, other: Self) -> Self;
     /// `self`·b + c, in one rounding where the processor supports that.
     fn mul_add(self, b: Self, c: Self) -> Self;
+}
+
+pub(crate) trait Vector: Number {
+    const LANES: usize;
+    /// The first [`Self::LANES`] numbers of a slice.
+    fn load(from: &[f64]) -> Self;
+    fn store(self, to: &mut [f64]);
+    fn div(self, other: Self) -> Self;
     fn sqrt(self) -> Self;
     fn min(self, other: Self) -> Self;
     fn max(self, other: Self) -> Self;
     /// Writes [`Self::LANES`] records of ten numbers, row k holding the k-th number of each.
     fn store_records(rows: [Self; 10], to: &mut [f64]);
+}
+
+/// A vector and its derivative.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Dual<V> {
+    pub value: V,
+    pub slope: V,
+}
+
+impl<V: Vector> Number for Dual<V> {
+    #[inline(always)]
+    fn splat(value: f64) -> Self {
+        Self {
+            value: V::splat(value),
+            slope: V::splat(0.0),
+        }
+    }
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        Self {
+            value: self.value.add(other.value),
+            slope: self.slope.add(other.slope),
+        }
+    }
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        Self {
+            value: self.value.sub(other.value),
+            slope: self.slope.sub(other.slope),
+        }
+    }
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        Self {
+            value: self.value.mul(other.value),
+            slope: self.slope.mul_add(other.value, self.value.mul(other.slope)),
+        }
+    }
+    #[inline(always)]
+    fn mul_add(self, b: Self, c: Self) -> Self {
+        let slope = self.value.mul_add(b.slope, c.slope);
+        Self {
+            value: self.value.mul_add(b.value, c.value),
+            slope: self.slope.mul_add(b.value, slope),
+        }
+    }
 }
 
 /// Has the processor fetch values that will be read soon, where it can be told so.
@@ -55,7 +105,7 @@ pub(crate) use each;
 /// The polynomial with `coefficients` (lowest first) at `x`.
 #[inline(always)]
 #[must_use]
-pub(crate) fn horner<V: Vector, const N: usize>(coefficients: &[f64; N], x: V) -> V {
+pub(crate) fn horner<V: Number, const N: usize>(coefficients: &[f64; N], x: V) -> V {
     let mut sum = V::splat(coefficients[N - 1]);
     for k in (0..N - 1).rev() {
         sum = sum.mul_add(x, V::splat(coefficients[k]));
@@ -66,7 +116,7 @@ pub(crate) fn horner<V: Vector, const N: usize>(coefficients: &[f64; N], x: V) -
 /// [`horner`] for several vectors at once, whose chains of operations run beside each other.
 #[inline(always)]
 #[must_use]
-pub(crate) fn horner_each<V: Vector, const N: usize, const U: usize>(
+pub(crate) fn horner_each<V: Number, const N: usize, const U: usize>(
     coefficients: &[f64; N],
     x: &[V; U],
 ) -> [V; U] {
@@ -93,12 +143,22 @@ macro_rules! by_itself {
     };
 }
 
-impl Vector for f64 {
-    const LANES: usize = 1;
+impl Number for f64 {
     #[inline(always)]
     fn splat(value: f64) -> Self {
         value
     }
+    by_itself! {
+        add(a, b) => a + b;
+        sub(a, b) => a - b;
+        mul(a, b) => a * b;
+        // Two roundings: the fused operation would be a call into the library.
+        mul_add(a, b, c) => a * b + c;
+    }
+}
+
+impl Vector for f64 {
+    const LANES: usize = 1;
     #[inline(always)]
     fn load(from: &[f64]) -> Self {
         from[0]
@@ -108,12 +168,7 @@ impl Vector for f64 {
         to[0] = self;
     }
     by_itself! {
-        add(a, b) => a + b;
-        sub(a, b) => a - b;
-        mul(a, b) => a * b;
         div(a, b) => a / b;
-        // Two roundings: the fused operation would be a call into the library.
-        mul_add(a, b, c) => a * b + c;
         sqrt(a) => a.sqrt();
         min(a, b) => if a < b { a } else { b };
         max(a, b) => if a > b { a } else { b };
@@ -128,27 +183,7 @@ impl Vector for f64 {
 /// depends on it and on the compiler.)
 #[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
 macro_rules! lane_by_lane {
-    ($lanes:literal, $splat:ident, $load:ident, $store:ident;
-     $($name:ident($this:ident $(, $other:ident)*) => $value:expr;)*) => {
-        const LANES: usize = $lanes;
-        #[inline(always)]
-        #[allow(unused_unsafe)]
-        fn splat(value: f64) -> Self {
-            // SAFETY: the type's owner promises the instruction set.
-            Self(unsafe { $splat(value) })
-        }
-        #[inline(always)]
-        fn load(from: &[f64]) -> Self {
-            let from = &from[..$lanes];
-            // SAFETY: the slice has just been found long enough.
-            Self(unsafe { $load(from.as_ptr()) })
-        }
-        #[inline(always)]
-        fn store(self, to: &mut [f64]) {
-            let to = &mut to[..$lanes];
-            // SAFETY: the slice has just been found long enough.
-            unsafe { $store(to.as_mut_ptr(), self.0) }
-        }
+    ($($name:ident($this:ident $(, $other:ident)*) => $value:expr;)*) => {
         $(
             #[inline(always)]
             #[allow(unused_unsafe)]
@@ -162,12 +197,45 @@ macro_rules! lane_by_lane {
     };
 }
 
+/// A vector of one number.
+#[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
+macro_rules! of_one_number {
+    ($splat:ident) => {
+        #[inline(always)]
+        #[allow(unused_unsafe)]
+        fn splat(value: f64) -> Self {
+            // SAFETY: the type's owner promises the instruction set.
+            Self(unsafe { $splat(value) })
+        }
+    };
+}
+
+/// A vector from memory and to it.
+#[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
+macro_rules! in_memory {
+    ($lanes:literal, $load:ident, $store:ident) => {
+        const LANES: usize = $lanes;
+        #[inline(always)]
+        fn load(from: &[f64]) -> Self {
+            let from = &from[..$lanes];
+            // SAFETY: the slice has just been found long enough.
+            Self(unsafe { $load(from.as_ptr()) })
+        }
+        #[inline(always)]
+        fn store(self, to: &mut [f64]) {
+            let to = &mut to[..$lanes];
+            // SAFETY: the slice has just been found long enough.
+            unsafe { $store(to.as_mut_ptr(), self.0) }
+        }
+    };
+}
+
 #[cfg(target_arch = "x86_64")]
 pub(crate) use x86_64::{Avx2, Sse2};
 
 #[cfg(target_arch = "x86_64")]
 mod x86_64 {
-    use super::Vector;
+    use super::{Number, Vector};
     use std::arch::x86_64::*;
 
     /// Two numbers: every x86-64 processor.
@@ -179,14 +247,20 @@ mod x86_64 {
     #[derive(Debug, Clone, Copy)]
     pub(crate) struct Avx2(__m256d);
 
-    impl Vector for Sse2 {
+    impl Number for Sse2 {
+        of_one_number!(_mm_set1_pd);
         lane_by_lane! {
-            2, _mm_set1_pd, _mm_loadu_pd, _mm_storeu_pd;
             add(a, b) => _mm_add_pd(a, b);
             sub(a, b) => _mm_sub_pd(a, b);
             mul(a, b) => _mm_mul_pd(a, b);
-            div(a, b) => _mm_div_pd(a, b);
             mul_add(a, b, c) => _mm_add_pd(_mm_mul_pd(a, b), c);
+        }
+    }
+
+    impl Vector for Sse2 {
+        in_memory!(2, _mm_loadu_pd, _mm_storeu_pd);
+        lane_by_lane! {
+            div(a, b) => _mm_div_pd(a, b);
             sqrt(a) => _mm_sqrt_pd(a);
             min(a, b) => _mm_min_pd(a, b);
             max(a, b) => _mm_max_pd(a, b);
@@ -206,14 +280,20 @@ mod x86_64 {
         }
     }
 
-    impl Vector for Avx2 {
+    impl Number for Avx2 {
+        of_one_number!(_mm256_set1_pd);
         lane_by_lane! {
-            4, _mm256_set1_pd, _mm256_loadu_pd, _mm256_storeu_pd;
             add(a, b) => _mm256_add_pd(a, b);
             sub(a, b) => _mm256_sub_pd(a, b);
             mul(a, b) => _mm256_mul_pd(a, b);
-            div(a, b) => _mm256_div_pd(a, b);
             mul_add(a, b, c) => _mm256_fmadd_pd(a, b, c);
+        }
+    }
+
+    impl Vector for Avx2 {
+        in_memory!(4, _mm256_loadu_pd, _mm256_storeu_pd);
+        lane_by_lane! {
+            div(a, b) => _mm256_div_pd(a, b);
             sqrt(a) => _mm256_sqrt_pd(a);
             min(a, b) => _mm256_min_pd(a, b);
             max(a, b) => _mm256_max_pd(a, b);
@@ -239,21 +319,27 @@ pub(crate) use aarch64::Neon;
 
 #[cfg(target_arch = "aarch64")]
 mod aarch64 {
-    use super::Vector;
+    use super::{Number, Vector};
     use std::arch::aarch64::*;
 
     /// Two numbers: every 64-bit ARM processor.
     #[derive(Debug, Clone, Copy)]
     pub(crate) struct Neon(float64x2_t);
 
-    impl Vector for Neon {
+    impl Number for Neon {
+        of_one_number!(vdupq_n_f64);
         lane_by_lane! {
-            2, vdupq_n_f64, vld1q_f64, vst1q_f64;
             add(a, b) => vaddq_f64(a, b);
             sub(a, b) => vsubq_f64(a, b);
             mul(a, b) => vmulq_f64(a, b);
-            div(a, b) => vdivq_f64(a, b);
             mul_add(a, b, c) => vfmaq_f64(c, a, b);
+        }
+    }
+
+    impl Vector for Neon {
+        in_memory!(2, vld1q_f64, vst1q_f64);
+        lane_by_lane! {
+            div(a, b) => vdivq_f64(a, b);
             sqrt(a) => vsqrtq_f64(a);
             min(a, b) => vbslq_f64(vcltq_f64(a, b), a, b);
             max(a, b) => vbslq_f64(vcgtq_f64(a, b), a, b);

@@ -6,7 +6,7 @@
 
 use glam::DQuat;
 
-use crate::math::vector::{Vector, each, horner};
+use crate::math::vector::{Number, Vector, each, horner};
 
 /// The longest arc on S³ that these functions take, in radians.
 #[cfg(test)]
@@ -75,7 +75,7 @@ struct Arc<V> {
 
 /// Weights of the ends of an arc at `x`, apart from the factor θ/sin θ.
 #[inline(always)]
-fn weights<V: Vector>(square: V, x: V) -> (V, V) {
+fn weights<V: Number>(square: V, x: V) -> (V, V) {
     let y = V::splat(1.0).sub(x);
     (
         y.mul(horner(&SINC, y.mul(y).mul(square))),
@@ -84,7 +84,7 @@ fn weights<V: Vector>(square: V, x: V) -> (V, V) {
 }
 
 #[inline(always)]
-fn blend<V: Vector>(a: &[V; 4], b: &[V; 4], wa: V, wb: V) -> [V; 4] {
+fn blend<V: Number>(a: &[V; 4], b: &[V; 4], wa: V, wb: V) -> [V; 4] {
     let mut q = *a;
     for k in 0..4 {
         q[k] = a[k].mul_add(wa, b[k].mul(wb));
@@ -94,7 +94,7 @@ fn blend<V: Vector>(a: &[V; 4], b: &[V; 4], wa: V, wb: V) -> [V; 4] {
 
 /// Square of the angle between two unit quaternions.
 #[inline(always)]
-fn square_angle<V: Vector>(a: &[V; 4], b: &[V; 4]) -> V {
+fn square_angle<V: Number>(a: &[V; 4], b: &[V; 4]) -> V {
     let mut chord = V::splat(0.0);
     for k in 0..4 {
         let d = a[k].sub(b[k]);
@@ -103,7 +103,7 @@ fn square_angle<V: Vector>(a: &[V; 4], b: &[V; 4]) -> V {
     chord.mul(horner(&ANGLE, chord))
 }
 
-impl<V: Vector> Arc<V> {
+impl<V: Number> Arc<V> {
     #[inline(always)]
     fn new(from: [V; 4], to: [V; 4]) -> Self {
         let square = square_angle(&from, &to);
@@ -165,7 +165,7 @@ impl ShortBezier {
     /// The quaternion (x, y, z, w) at φ, of length near 1: the factor of the last arc is left out,
     /// since views are divided by the length anyway.
     #[inline(always)]
-    pub(super) fn at<V: Vector>(&self, phi: V) -> [V; 4] {
+    pub(super) fn at<V: Number>(&self, phi: V) -> [V; 4] {
         let [a, b, c, d] =
             each!(k in [0, 1, 2, 3] => each!(i in [0, 1, 2, 3] => V::splat(self.control[k][i])));
         let [ab, bc, cd] = each!(k in [(0, a, b), (1, b, c), (2, c, d)] => Arc {

@@ -23,7 +23,7 @@ use crate::math::orientation::POLE;
 use crate::math::vector::{self, Vector, each, horner};
 
 /// Frames of a block, whose numbers all stay in the first-level cache.
-const BLOCK: usize = 128;
+pub(super) const BLOCK: usize = 64;
 
 /// Frames by which a run may overshoot.
 const STRIDE: usize = 16;
@@ -32,15 +32,15 @@ const STRIDE: usize = 16;
 const AT_ONCE: usize = 4;
 
 /// A row of one number for each frame of a block, with room to overshoot.
-type Row = [f64; BLOCK + STRIDE];
+pub(super) type Row = [f64; BLOCK + STRIDE];
 
 #[repr(align(64))]
-struct Block {
-    phi: Row,
+pub(super) struct Block {
+    pub phi: Row,
     /// Length from the start, where the parameter is searched directly.
     s: Row,
     /// The curve's parameter.
-    t: Row,
+    pub t: Row,
     /// The quaternion; for tracked frames the sine and cosine of the roll.
     q: [Row; 4],
 }
@@ -52,10 +52,10 @@ struct Records([f64; 10 * STRIDE]);
 /// Working memory that one call hands from section to section.
 pub(super) struct Scratch {
     /// The tables of a section that does not keep any yet.
-    tables: Tables,
+    pub(super) tables: Tables,
     /// The poses are wanted once: only long sections keep tables.
     pub(super) once: bool,
-    block: Block,
+    pub(super) block: Block,
     records: Records,
 }
 
@@ -103,19 +103,13 @@ pub(super) fn fill<V: Vector>(
     frames: Frames<'_>,
     poses: &mut [Pose],
 ) -> Result<()> {
-    let tables = match section.tables.get() {
-        Some(tables) => &tables[0],
-        None => {
-            scratch.tables.build::<V>(section)?;
-            let again = !scratch.once && section.filled.swap(true, Ordering::Relaxed);
-            if section.frames >= KEEP || again {
-                section.keep(&scratch.tables)?
-            } else {
-                &scratch.tables
-            }
-        }
-    };
-    let (block, records) = (&mut scratch.block, &mut scratch.records);
+    let Scratch {
+        tables,
+        once,
+        block,
+        records,
+    } = scratch;
+    let tables = tables_of::<V>(section, tables, *once)?;
     for (at, poses) in (0..).step_by(BLOCK).zip(poses.chunks_mut(BLOCK)) {
         let count = poses.len();
         shares::<V>(section, frames, at, count, &mut block.phi);
@@ -146,10 +140,29 @@ pub(super) fn fill<V: Vector>(
     Ok(())
 }
 
+/// The tables of a section: its own, or where it does not keep any, those made in `room`.
+#[inline(always)]
+pub(super) fn tables_of<'a, V: Vector>(
+    section: &'a SectionSampler,
+    room: &'a mut Tables,
+    once: bool,
+) -> Result<&'a Tables> {
+    if let Some(tables) = section.tables.get() {
+        return Ok(&tables[0]);
+    }
+    room.build::<V>(section)?;
+    let again = !once && section.filled.swap(true, Ordering::Relaxed);
+    if section.frames >= KEEP || again {
+        section.keep(room)
+    } else {
+        Ok(room)
+    }
+}
+
 /// φ of `count` frames from the one `at` this place on.
 #[inline(always)]
 #[allow(clippy::cast_precision_loss)]
-fn shares<V: Vector>(
+pub(super) fn shares<V: Vector>(
     section: &SectionSampler,
     frames: Frames<'_>,
     at: usize,
@@ -215,7 +228,7 @@ fn paced_shares<V: Vector>(speed: &SpeedCurve, count: usize, phi: &mut Row) {
 
 /// The end of the run of frames that begins at `from` and lies on one piece.
 #[inline(always)]
-fn run<const C: usize>(
+pub(super) fn run<const C: usize>(
     fits: &[Fit<C>],
     piece: usize,
     phi: &Row,
@@ -245,7 +258,12 @@ fn store_each<V: Vector>(values: [V; AT_ONCE], to: &mut [f64]) {
 }
 
 #[inline(always)]
-fn parameters<V: Vector>(way: &ArcLengthCurve, tables: &Tables, count: usize, block: &mut Block) {
+pub(super) fn parameters<V: Vector>(
+    way: &ArcLengthCurve,
+    tables: &Tables,
+    count: usize,
+    block: &mut Block,
+) {
     let Block { phi, s, t, .. } = block;
     let mut from = 0;
     let mut piece = tables.place.partition_point(|fit| fit.end <= phi[0]);

@@ -4,7 +4,7 @@
 //! [`arc_length`] and [`speed_curve`] give their length and pace, [`timeline`] the sections with
 //! their frames; then the curve times are known, and with them `orientation_curve`. [`sampling`]
 //! walks through it all: `section_sampler` is one section prepared, `fill` with `tables` and
-//! `arcs` gives its poses at any frames. [`plan`] keeps what was computed while a path is edited.
+//! `arcs` gives its poses at any frames, `motion` how the camera moves there. [`plan`] keeps what was computed while a path is edited.
 //!
 //! [`bezier`], [`hermite`], [`catmull_rom`] and [`cubic_spline`] are the thesis's other curves,
 //! [`tessellation`] is for drawing.
@@ -37,6 +37,7 @@ pub mod hermite;
 pub mod insertion;
 pub mod kochanek_bartels;
 mod modes;
+mod motion;
 mod orientation_curve;
 pub mod own;
 pub(crate) mod own_parts;
@@ -45,6 +46,7 @@ pub mod pose;
 pub mod quaternion_spline;
 pub mod rate;
 pub mod resample;
+mod runs;
 pub mod sampling;
 mod section;
 pub(crate) mod section_sampler;
@@ -72,13 +74,13 @@ pub use camera_path::{
     Target, Tcb, ZoomMode,
 };
 pub use ease::{Ease, EaseKind};
+pub use motion::Motion;
 pub use own::{
     OrientationOverrides, Overrides, Pace, PacePart, PaceSource, Tangents, TurningPart, Velocities,
 };
 pub use plan::Plan;
 pub use pose::Pose;
 pub use sampling::{Poses, Sampler};
-pub use section_sampler::Motion;
 pub use space::{Space, Up};
 pub use timeline::{Change, Section, Timeline};
 pub use timing::Timing;

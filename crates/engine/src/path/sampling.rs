@@ -7,9 +7,11 @@ use super::ahead;
 use super::arc_length;
 use super::camera_path::{CameraPath, ZoomMode};
 use super::fill::{Frames, Scratch, fill_widest};
+use super::motion::{Motion, motions_widest};
 use super::orientation_curve::{self, Key, turnings};
 use super::pose::Pose;
-use super::section_sampler::{ArcLengthCurve, Motion, SectionSampler};
+use super::runs::{Run, each_run, in_order};
+use super::section_sampler::{ArcLengthCurve, SectionSampler};
 use super::timeline::{Change, Timeline};
 use super::turning::Turning;
 use super::ups::rolled;
@@ -25,6 +27,9 @@ pub struct Sampler {
     keys: Vec<Pose>,
     /// Number of the first own pose of each section.
     first_frames: Vec<usize>,
+    /// Number of the last pose of each section in which something changes: by it they are found, in
+    /// fewer cache lines than themselves.
+    ends: Vec<usize>,
     frames: usize,
 }
 
@@ -162,10 +167,13 @@ impl Sampler {
                 }
             };
         }
+        let mut ends = vec_with_room(sections.len())?;
+        ends.extend(sections.iter().map(|s| s.start + s.frames));
         Ok(Self {
             sections,
             keys: poses,
             first_frames,
+            ends,
             frames,
         })
     }
@@ -240,9 +248,7 @@ impl Sampler {
         let mut rest = poses;
         let mut number = first;
         // The section whose own poses end at or after the first one wanted.
-        let mut index = self
-            .sections
-            .partition_point(|section| section.start + section.frames < number);
+        let mut index = self.ends.partition_point(|&end| end < number);
         while !rest.is_empty() {
             let Some(section) = self.sections.get(index) else {
                 rest.fill(self.keys[self.sections.len()]);
@@ -257,7 +263,7 @@ impl Sampler {
             let between = (section.start + section.frames - number).min(after.len());
             let (moved, after) = after.split_at_mut(between);
             if between > 0 {
-                SectionSampler::fetch(&self.sections[index + 1..]);
+                SectionSampler::fetch_next(&self.sections[index + 1..]);
                 fill_widest(
                     section,
                     scratch,
@@ -288,6 +294,20 @@ impl Sampler {
         .into()
     }
 
+    /// The last frame, if all these are frames of the path.
+    ///
+    /// # Panics
+    /// If there are not as many frames as results.
+    #[allow(clippy::cast_precision_loss)]
+    fn last_of(&self, frames: &[f64], results: usize) -> Result<f64> {
+        assert_eq!(frames.len(), results);
+        let last = self.frames as f64;
+        match frames.iter().find(|&&f| !(f >= 1.0 && f <= last)) {
+            Some(&frame) => Err(self.no_frame(frame)),
+            None => Ok(last),
+        }
+    }
+
     /// The pose at any frame between 1 and the last, also between two frames; at a whole one bit for
     /// bit that of [`Sampler::sample`].
     ///
@@ -299,78 +319,89 @@ impl Sampler {
         Ok(pose[0])
     }
 
-    /// The poses at any frames in any order, each as [`Sampler::pose`] gives it; fastest where
-    /// none comes before its predecessor. As many frames as poses.
+    /// The poses at any frames in any order, each as [`Sampler::pose`] gives it; fastest in
+    /// ascending order. As many frames as poses.
     ///
     /// # Errors
-    /// As [`Sampler::pose`]; what `poses` holds is then unspecified.
+    /// [`crate::Error::Range`] for the first frame outside them, before any pose is written;
+    /// [`crate::Error::Memory`], and what `poses` holds is then unspecified.
     ///
     /// # Panics
     /// If there are not as many frames as poses.
-    #[allow(clippy::cast_precision_loss)]
     pub fn poses_at(&self, frames: &[f64], poses: &mut [Pose]) -> Result<()> {
-        assert_eq!(frames.len(), poses.len());
-        let last = self.frames as f64;
+        let last = self.last_of(frames, poses.len())?;
         let mut scratch = Scratch::new();
-        let mut at = 0;
-        while let Some(&frame) = frames.get(at) {
-            if !(frame >= 1.0 && frame <= last) {
-                return Err(self.no_frame(frame));
-            }
-            let end = |section: &SectionSampler| (section.start + section.frames) as f64;
-            let index = self
-                .sections
-                .partition_point(|section| end(section) <= frame);
-            let start = self.sections.get(index).map_or(last, |s| s.start as f64);
-            // The key in which the section begins, as long as the camera rests there.
-            if frame <= start {
-                poses[at] = self.keys[index];
-                at += 1;
-                continue;
-            }
-            let section = &self.sections[index];
-            let moved = frames[at..]
-                .array_windows()
-                .take_while(|[before, frame]| before <= frame && *frame < end(section))
-                .count();
-            let run = at..at + 1 + moved;
-            at = run.end;
-            let frames = Frames::At(&frames[run.clone()]);
-            fill_widest(section, &mut scratch, frames, &mut poses[run])?;
-        }
-        Ok(())
+        in_order(frames, poses, |frames, poses| {
+            let fill = |run: Run<'_, Pose>| match run {
+                Run::Held(index, pose) => {
+                    *pose = self.keys[index];
+                    Ok(())
+                }
+                Run::Moved(index, frames, poses) => {
+                    let frames = Frames::At(frames);
+                    fill_widest(&self.sections[index], &mut scratch, frames, poses)
+                }
+            };
+            each_run(&self.sections, &self.ends, last, frames, poses, false, fill)
+        })
     }
-}
 
-impl Sampler {
     /// How the camera moves at any frame between 1 and the last, also between two frames. At a key
     /// it is how the camera goes on; at the last frame how it came there.
     ///
-    /// Lengths are exact to rounding; the turning comes of differences, with an error of about
-    /// 10⁻¹⁰ of a section's whole turn where the view does not sweep past a target.
+    /// Lengths are exact to rounding, the turning to about 10⁻¹² of a section's whole turn where it
+    /// is a curve of quaternions or looks at a target, elsewhere (along the way, at the target, at
+    /// the poles) to 10⁻¹⁰, by differences.
     ///
     /// # Errors
     /// As [`Sampler::pose`].
-    #[allow(clippy::cast_precision_loss)]
     pub fn motion(&self, frame: f64) -> Result<Motion> {
-        let last = self.frames as f64;
-        if !(frame >= 1.0 && frame <= last) {
-            return Err(self.no_frame(frame));
+        let mut motion = [Motion::default()];
+        self.motions_at(&[frame], &mut motion)?;
+        Ok(motion[0])
+    }
+
+    /// The motions at any frames in any order, each as [`Sampler::motion`] gives it; as many frames
+    /// as motions.
+    ///
+    /// # Errors
+    /// As [`Sampler::poses_at`].
+    ///
+    /// # Panics
+    /// If there are not as many frames as motions.
+    pub fn motions_at(&self, frames: &[f64], motions: &mut [Motion]) -> Result<()> {
+        let last = self.last_of(frames, motions.len())?;
+        let mut before = vec_with_room(self.sections.len() + 1)?;
+        let mut sum = 0.0;
+        before.push(sum);
+        for section in &self.sections {
+            sum += section.way.as_ref().map_or(0.0, |way| way.length);
+            before.push(sum);
         }
-        let end = |section: &SectionSampler| (section.start + section.frames) as f64;
-        let done = |section: &SectionSampler| end(section) <= frame && end(section) < last;
-        let index = self.sections.partition_point(done);
-        let length = |section: &SectionSampler| section.way.as_ref().map_or(0.0, |way| way.length);
-        let before = self.sections[..index].iter().map(length).sum::<f64>();
-        let section = self.sections.get(index);
-        let within = |section: &SectionSampler| frame - section.start as f64;
-        let motion = match section.filter(|section| within(section) >= 0.0) {
-            Some(section) => section.motion(within(section) / section.frames as f64)?,
-            None => Motion::default(),
-        };
-        Ok(Motion {
-            distance: before + motion.distance,
-            ..motion
+        let mut scratch = Scratch::new();
+        in_order(frames, motions, |frames, motions| {
+            let fill = |run: Run<'_, Motion>| match run {
+                Run::Held(index, motion) => {
+                    *motion = Motion {
+                        distance: before[index],
+                        ..Motion::default()
+                    };
+                    Ok(())
+                }
+                Run::Moved(index, frames, motions) => {
+                    let (section, before) = (&self.sections[index], before[index]);
+                    motions_widest(section, before, &mut scratch, frames, motions)
+                }
+            };
+            each_run(
+                &self.sections,
+                &self.ends,
+                last,
+                frames,
+                motions,
+                true,
+                fill,
+            )
         })
     }
 }

@@ -172,6 +172,79 @@ fn a_pose_does_not_depend_on_how_it_is_asked_for() {
     }
 }
 
+/// Angle between two cameras.
+fn turned(a: &Pose, b: &Pose) -> f64 {
+    let axes = |pose: &Pose| {
+        let (view, up) = (DVec3::from(pose.vpn), DVec3::from(pose.vup));
+        glam::DMat3::from_cols(up.cross(view), up, view)
+    };
+    let turn = axes(a) - axes(b);
+    // Each axis moves on a chord; the sum of their squares is 8·sin²(angle/2).
+    let chord = turn.to_cols_array().map(|x| x * x).iter().sum::<f64>();
+    2.0 * (chord / 8.0).sqrt().min(1.0).asin()
+}
+
+/// Motions against the poses beside them, in any order and one by one.
+#[test]
+fn motions_are_the_differences_of_poses() {
+    const STEP: f64 = 1e-4;
+    let paths = [
+        (OrientationMode::Tcb, true),
+        (OrientationMode::BarryGoldman, false),
+        (OrientationMode::Slerp, false),
+    ];
+    for (mode, closed) in paths.into_iter().take(if cfg!(miri) { 1 } else { 3 }) {
+        let sampler = prepared(&path(mode, closed));
+        let mut frames = vec![];
+        for section in &sampler.sections {
+            let count = section.frames.min(if cfg!(miri) { 2 } else { 300 });
+            let at = |k: usize| (k as f64 + 0.5) / count as f64 * section.frames as f64;
+            frames.extend((0..count).map(|k| section.start as f64 + at(k)));
+        }
+        let order: Vec<usize> = (0..frames.len()).map(|k| k * 7919 % frames.len()).collect();
+        let shuffled: Vec<f64> = order.iter().map(|&k| frames[k]).collect();
+        let mut motions = vec![Motion::default(); frames.len()];
+        sampler.motions_at(&shuffled, &mut motions).expect("frames");
+        let fresh = prepared(&path(mode, closed));
+        for (&frame, motion) in shuffled.iter().zip(&motions) {
+            assert_eq!(*motion, fresh.motion(frame).expect("a frame"), "{frame}");
+            let [before, here, after] =
+                [-STEP, 0.0, STEP].map(|step| sampler.pose(frame + step).expect("a frame"));
+            let [a, b, c] = [before, here, after].map(|pose| DVec3::from(pose.vrp));
+            let (speed, bend) = ((c - a) / (2.0 * STEP), (c - 2.0 * b + a) / (STEP * STEP));
+            let message = |what: &str, found: f64| {
+                format!("{mode:?}, frame {frame}: {what} {found} of {motion:?}")
+            };
+            let found = speed.length();
+            assert!(
+                (motion.speed - found).abs() < 1e-6 * (1.0 + found),
+                "{}",
+                message("speed", found)
+            );
+            let found = turned(&before, &after) / (2.0 * STEP);
+            assert!(
+                (motion.turning - found).abs() < 1e-5 * (0.1 + found),
+                "{}",
+                message("turning", found)
+            );
+            let found = speed.cross(bend).length() / speed.length().powi(3);
+            // Second differences lose digits where the camera is slow.
+            let lost = 1e-14 / (STEP * speed.length()).powi(2);
+            if found.is_finite() && lost < 0.1 {
+                let near = (motion.curvature - found).abs() < 1e-4 * (1.0 + found) + lost;
+                assert!(near, "{}", message("curvature", found));
+            }
+            let step =
+                (sampler.motion(frame + STEP).expect("a frame").distance - motion.distance) / STEP;
+            assert!(
+                (step - motion.speed).abs() < 1e-3 * (0.1 + motion.speed),
+                "{}",
+                message("step", step)
+            );
+        }
+    }
+}
+
 fn with<V: Vector>(name: &str) {
     against_the_plain_way(name, &fill::fill::<V>);
 }

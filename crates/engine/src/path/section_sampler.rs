@@ -1,5 +1,5 @@
 //! One section that has frames, prepared once for whatever is asked of it: poses, many at a time by
-//! [`super::fill`], its motion at a frame, and derivatives along its way.
+//! [`super::fill`], its motion by [`super::motion`], and derivatives along its way.
 
 use std::sync::OnceLock;
 use std::sync::atomic::AtomicBool;
@@ -16,26 +16,7 @@ use super::turning::Turning;
 use crate::error::Result;
 use crate::math::monotone_cubic::{slope, value};
 use crate::math::orientation::quaternion_from_view;
-use crate::math::quaternion::{continue_sign, log};
 use crate::math::vector;
-
-/// Step in φ of the differences that give the turning, of the fourth order.
-const STEP: f64 = 1.0 / 4096.0;
-
-/// How a camera moves at a frame ([`super::Sampler::motion`]).
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Motion {
-    /// Length of the way since the first frame.
-    pub distance: f64,
-    /// Length of the way per frame.
-    pub speed: f64,
-    /// Angle in radians per frame by which the camera turns as a whole.
-    pub turning: f64,
-    /// Of the way, one by the radius of its circle; 0 where the camera rests or turns on the spot,
-    /// and where the curve has no direction.
-    pub curvature: f64,
-}
 
 /// What a section has at a share φ of its way: derivatives are by φ.
 #[derive(Debug, Clone, Copy)]
@@ -160,11 +141,19 @@ impl SectionSampler {
         fingerprint.0
     }
 
+    /// Has the processor fetch what it keeps, all at once instead of one after the other.
+    pub(super) fn fetch(&self) {
+        vector::fetch(std::slice::from_ref(self));
+        if let Some(tables) = self.tables.get() {
+            tables[0].fetch();
+        }
+    }
+
     /// Has the processor fetch the second next section and what the next ones keep, while the one
     /// before them is filled: many sections are more than the caches hold. Of the second next it is
     /// what tells where its tables are, of the next one, where that is there by then, the tables
     /// themselves.
-    pub(super) fn fetch(next: &[Self]) {
+    pub(super) fn fetch_next(next: &[Self]) {
         vector::fetch(next.get(1..2).unwrap_or_default());
         let kept = |at: usize| next.get(at)?.tables.get();
         if let Some(tables) = kept(1) {
@@ -263,48 +252,9 @@ impl SectionSampler {
         Ok(())
     }
 
-    fn place(&self, pieces: &[Piece], phi: f64) -> DVec3 {
+    pub(super) fn place(&self, pieces: &[Piece], phi: f64) -> DVec3 {
         self.way.as_ref().map_or(self.position, |way| {
             way.curve.point(way.parameter(pieces, phi))
-        })
-    }
-
-    /// How the camera moves at `u` = frame / frames; the distance from the section's start.
-    pub(super) fn motion(&self, u: f64) -> Result<Motion> {
-        let phi = self.phi(u);
-        let slope = self.speed.as_ref().map_or(1.0, |speed| speed[0].slope(u));
-        let pace = slope / self.frames as f64;
-        let pieces = &self.prepared()?.arc;
-        let place = |phi: f64| self.place(pieces, phi);
-        let (distance, speed, curvature) = match &self.way {
-            None => (0.0, 0.0, 0.0),
-            Some(way) => {
-                let curve = &way.curve;
-                let t = way.parameter(pieces, phi);
-                let (first, second) = (curve.derivative(t), curve.second_derivative(t));
-                let curvature = first.cross(second).length() / first.length().powi(3);
-                let curvature = if curvature.is_finite() {
-                    curvature
-                } else {
-                    0.0
-                };
-                (phi * way.length, pace * way.length, curvature)
-            }
-        };
-        let step = if phi > 0.5 { -STEP } else { STEP };
-        let q = |k: f64| {
-            let (view, up) = self.turning.view_at(phi + k * step, &place, self.space);
-            quaternion_from_view(view, up)
-        };
-        let here = q(0.0);
-        let turned = |k: f64| log(continue_sign(here, q(k)).0 * here.conjugate());
-        let turn = 48.0 * turned(1.0) - 36.0 * turned(2.0) + 16.0 * turned(3.0) - 3.0 * turned(4.0);
-        Ok(Motion {
-            distance,
-            speed,
-            // Angles on S³ are half of those in space.
-            turning: 2.0 * (turn / (12.0 * step)).length() * pace,
-            curvature,
         })
     }
 

@@ -9,7 +9,7 @@ use super::section_sampler::{ArcLengthCurve, SectionSampler};
 use super::turning::Turning;
 use crate::error::{Result, try_box, vec_with_room};
 use crate::math::chebyshev::{self, NODES, SHORT};
-use crate::math::vector::{self, Vector, fetch, horner_each};
+use crate::math::vector::{self, Number, Vector, fetch, horner_each};
 
 /// Frames that a fitted piece must serve: about what its nodes cost.
 const WORTH: f64 = 32.0;
@@ -43,13 +43,13 @@ pub(super) struct Fit<const COMPONENTS: usize> {
 impl<const COMPONENTS: usize> Fit<COMPONENTS> {
     /// x in [−1, 1] at φ.
     #[inline(always)]
-    pub(super) fn x<V: Vector>(&self, phi: V) -> V {
+    pub(super) fn x<V: Number>(&self, phi: V) -> V {
         phi.sub(V::splat(self.middle)).mul(V::splat(self.scale))
     }
 
     /// The polynomial with these of its `powers` at several x.
     #[inline(always)]
-    pub(super) fn at<V: Vector, const U: usize>(
+    pub(super) fn at<V: Number, const U: usize>(
         &self,
         powers: &[f64; NODES],
         x: &[V; U],
