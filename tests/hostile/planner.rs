@@ -179,7 +179,7 @@ pub(crate) fn check(bytes: &[u8]) -> bool {
     }
     if which == 2 {
         let request = SteadyRequest {
-            seconds: given.size(),
+            period: given.size(),
             within: [0.0, given.size()][given.below(2)],
             fps,
         };

@@ -3,7 +3,7 @@
 
 use egui::{Button, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2};
 use vides_document::tool::FitResult;
-use vides_engine::tools::fit::{Deviation, PoseDeviation, Report, TimeUnit};
+use vides_engine::tools::fit::{Deviation, PoseDeviation, Report, TimeUnit, Tolerance};
 
 use crate::action::{Action, TimeAction};
 use crate::entry::Entry;
