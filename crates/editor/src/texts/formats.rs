@@ -151,6 +151,8 @@ german! {
         OffCentre(count) => "Bilder, deren Achse neben der Mitte liegt, wie in ihr: {count}";
         Skins(count) => "Netze mit Skelett wie in Ruhe: {count}";
         Sheared(count) => "Knoten ohne ihre Scherung: {count}";
+        TimeUnit(unit) => "Zeiten über 1e11 sind keine Sekunden: sie zählen {}",
+            if *unit == "nanoseconds" { "Nanosekunden" } else { "Mikrosekunden" };
         RepeatedTimes(count) => "Posen zur gleichen Zeit wie die vorige bleiben weg: {count}";
         LeftOut(what) => "weggelassen: {what}";
         OtherAnimations(names) => "Animationen bleiben weg: {names}; eine wählt clip";
