@@ -208,9 +208,9 @@ complete -c vides -n "__fish_vides_using_subcommand figure-eight" -s o -l output
 complete -c vides -n "__fish_vides_using_subcommand figure-eight" -l trust -d 'Also reads meshes and buffers that an input file names outside its folder'
 complete -c vides -n "__fish_vides_using_subcommand figure-eight" -s h -l help -d 'Print help'
 complete -c vides -n "__fish_vides_using_subcommand fit" -l angle -d 'How far view, up and field of view may be from theirs; 0.000001 to 180 [default: 0.5]' -r
+complete -c vides -n "__fish_vides_using_subcommand fit" -l points -d 'Maximum number of points; the tolerance follows from it; 0: as many as the tolerance needs; 0 to 100000 [default: 0]' -r
 complete -c vides -n "__fish_vides_using_subcommand fit" -l robust -d 'Ignores outliers: poses that differ from their neighbours' -r -f -a "no\t''
 yes\t''"
-complete -c vides -n "__fish_vides_using_subcommand fit" -l points -d 'At most so many points, with the least tolerance that leads to them, in the ratio of --tolerance to --angle; 2 or more' -r
 complete -c vides -n "__fish_vides_using_subcommand fit" -l fps -d 'Frames per second [default: the file\'s, else its poses per second, else 25]' -r
 complete -c vides -n "__fish_vides_using_subcommand fit" -l object -d 'The object to show with the path: a mesh (.obj, .ply, .stl, .gltf, .glb), or the object of a .vid file' -r -F
 complete -c vides -n "__fish_vides_using_subcommand fit" -l up -d 'The up axis' -r -f -a "y\t''

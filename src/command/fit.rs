@@ -22,10 +22,6 @@ pub(super) const INPUT: &str = "The poses, as `vides sample` writes them: ten nu
 
 #[derive(Args)]
 struct Options {
-    /// At most so many points, with the least tolerance that leads to them, in the ratio of
-    /// --tolerance to --angle; 2 or more
-    #[arg(long, value_name = "NUMBER")]
-    points: Option<usize>,
     /// Frames per second [default: the file's, else its poses per second, else 25]
     #[arg(long, value_name = "NUMBER")]
     fps: Option<f64>,
@@ -131,9 +127,11 @@ pub(super) fn run(call: &Call) -> Result<(), Failure> {
     };
     let times = times.as_deref();
     let go_on = &mut progress("poses");
-    let fitted = match arguments.points {
-        Some(points) => fit_points(&poses, times, fps, &options, points, go_on).map(|made| made.0),
-        None => fit(&poses, times, fps, &options, go_on),
+    // Whole and not negative, by the table.
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+    let fitted = match call.number("points") as usize {
+        0 => fit(&poses, times, fps, &options, go_on),
+        points => fit_points(&poses, times, fps, &options, points, go_on).map(|made| made.0),
     };
     let fitted = fitted.map_err(|error| vides::Error::from(error).at(name.clone()))?;
     if let (Some(frames), Some(seconds)) = (&frames, &seconds) {

@@ -170,8 +170,6 @@ german! {
         Upright(axis) => "in der Datei steht {axis} senkrecht, in diesem Dokument nicht";
         Epoch(start) => "die Zeiten beginnen bei {} s: hier zählen sie ab 0",
             Language::German.written(start.to_string());
-        TimeUnit(unit) => "Zeiten über 1e11 sind keine Sekunden, sie zählen {}",
-            if *unit == "nanoseconds" { "Nanosekunden" } else { "Mikrosekunden" };
         Keyframes(count) =>
             "Schlüssel bleiben weg, angenähert werden die Bilder: {count}; ein Import ohne Werkzeug macht sie zu Punkten";
         Rates(count) => "Bildraten außerhalb von 0 bis {MAX_FPS} bleiben weg: {count}";
