@@ -9,7 +9,7 @@ use clap::Args;
 use vides::document::mesh::Format;
 use vides::document::{Document, Object, SceneDocument, inside, load_object, note_input};
 use vides::error::reason;
-use vides::formats::{Source, formats};
+use vides::formats::{Error, Source, recognised};
 use vides::limits::MAX_FILE_BYTES;
 use vides::scene::Mesh;
 
@@ -63,18 +63,22 @@ pub(super) fn warn(name: &str, warnings: &[vides::Error]) {
     }
 }
 
-/// Why a file is not loaded; what helps where its name is that of another format.
+/// Why a file is not loaded; what helps where it is one of another format.
 pub(super) fn refused(file: &Path, error: &dyn std::fmt::Display) -> Failure {
-    let mut others = formats().iter().filter(|other| other.name != "vid");
-    let other = others.find(|other| other.reads() && other.is_named(file));
-    Failure::Input(match other {
-        Some(other) => format!(
-            "{0}: this is no .vid file but one of the format {1}: \"vides convert {0} OUT.vid\" \
-             makes one of it",
-            file.display(),
-            other.name
+    let name = file.display();
+    let found = Source::open(file).and_then(|source| recognised(&source).map(|format| format.name));
+    Failure::Input(match found {
+        Ok(other) if other != "vid" => format!(
+            "{name}: this is no .vid file but one of the format {other}: \"vides convert {name} \
+             OUT.vid\" makes one of it"
         ),
-        None => error.to_string(),
+        Err(Error::Ambiguous(formats)) => format!(
+            "{name}: this is no .vid file but one of the format {}: \"vides convert {name} OUT.vid \
+             --from FORMAT\" makes one of it",
+            formats.join(" or ")
+        ),
+        Err(foreign @ Error::Foreign(_)) => format!("{name}: {foreign}"),
+        _ => error.to_string(),
     })
 }
 

@@ -177,8 +177,12 @@ pub fn read(
     whole().map_err(|error: Error| error.at(&source.name))
 }
 
-/// By the content; of several formats that it may be, or if it looks like none, by the name.
-fn recognised(source: &Source) -> Result<&'static Format> {
+/// The format of a file: by the content; of several formats that it may be, or if it looks like
+/// none, by the name.
+///
+/// # Errors
+/// [`Error::Foreign`], [`Error::NotRecognised`], [`Error::Ambiguous`].
+pub fn recognised(source: &Source) -> Result<&'static Format> {
     let read = formats().iter().copied();
     let read: Vec<_> = read.filter(|format| format.reads()).collect();
     let fits = |format: &&Format| (format.recognises)(source);

@@ -63,7 +63,7 @@ pub use all::{by_name, by_target, formats};
 pub use ascii::{write_ascii, write_ascii_file};
 pub use blocks::Progress;
 pub use content::{Content, Recording};
-pub use doors::{Imported, export, export_to, import, losses, read, recording};
+pub use doors::{Imported, export, export_to, import, losses, read, recognised, recording};
 pub use error::{Cause, Error, Place, Result, Wanted};
 pub use flight::Flight;
 pub use foreign::{Foreign, Way};

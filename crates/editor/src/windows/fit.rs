@@ -31,6 +31,13 @@ pub(super) enum Offer {
     Robust,
 }
 
+/// One of the graphs.
+struct Curve<'a> {
+    name: &'a str,
+    of: fn(&PoseDeviation) -> f64,
+    tolerance: f64,
+}
+
 /// Length and angle of a tolerance.
 fn of_tolerance(language: Language, tolerance: Tolerance) -> String {
     let [position, angle] = [tolerance.position, tolerance.angle].map(|at| short(language, at));
@@ -91,21 +98,22 @@ impl FitShown {
         // In sight in a low window, too.
         let taken = self.offer(editor, ui);
         ui.label(of(texts.position, report.position));
-        let position = |place: &PoseDeviation| place.position;
-        let tolerance = self.tolerance.position;
-        self.graph(
-            editor,
-            ui,
-            (texts.position_graph, &position, tolerance),
-            actions,
-        );
+        let curve = Curve {
+            name: texts.position_graph,
+            of: |place| place.position,
+            tolerance: self.tolerance.position,
+        };
+        self.graph(editor, ui, &curve, actions);
         ui.label(of(texts.view, report.view));
         if report.lens.greatest >= SAME_LENS {
             ui.label(of(texts.lens, report.lens));
         }
-        let angle = |place: &PoseDeviation| place.angle;
-        let tolerance = self.tolerance.angle;
-        self.graph(editor, ui, (texts.view_graph, &angle, tolerance), actions);
+        let curve = Curve {
+            name: texts.view_graph,
+            of: |place| place.angle,
+            tolerance: self.tolerance.angle,
+        };
+        self.graph(editor, ui, &curve, actions);
         let noise = short(language, report.noise);
         ui.label(fill(texts.recording, &[&report.poses, &noise]));
         let fps = short(language, report.fps);
@@ -139,13 +147,12 @@ impl FitShown {
     }
 
     /// A deviation over the frames, the tolerance as a line, and the playhead.
-    fn graph(
-        &self,
-        editor: &Editor,
-        ui: &mut Ui,
-        (name, of, tolerance): (&str, &dyn Fn(&PoseDeviation) -> f64, f64),
-        actions: &mut Vec<Action>,
-    ) {
+    fn graph(&self, editor: &Editor, ui: &mut Ui, curve: &Curve<'_>, actions: &mut Vec<Action>) {
+        let Curve {
+            name,
+            of,
+            tolerance,
+        } = *curve;
         let size = vec2(ui.available_width(), GRAPH);
         let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
         response.widget_info(|| WidgetInfo::labeled(Role::Image, true, name));

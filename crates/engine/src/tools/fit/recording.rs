@@ -14,6 +14,10 @@ use crate::path::{Pose, Space, Up};
 /// Times that differ by less than this, in frames, are equal.
 const EQUAL_FRAMES: f64 = 1e-4;
 
+/// A last time that lies so little after a whole frame, in frames, is that frame: milliseconds at 60
+/// frames per second are rounded by 0.03.
+const ROUNDED: f64 = 0.031;
+
 impl Data {
     pub(super) fn new(
         poses: &[Pose],
@@ -90,14 +94,17 @@ impl Data {
         self.numbers.iter().zip(&self.left_out).filter_map(out)
     }
 
-    /// A recording that ends between frames goes on to the next one, as fast as in its last frame.
+    /// A recording that ends between frames goes on to the next one, as fast as in its last frame;
+    /// one that ends hardly after a frame, as times with few digits do, ends at it.
     fn end_at_a_frame(&mut self) {
         let last = self.times.len() - 1;
         let (time, end) = (self.times[last], self.raw[last]);
-        let whole = time.ceil();
-        if whole == time {
+        let begun = time.floor();
+        if time - begun <= ROUNDED && (last == 0 || begun > self.times[last - 1]) {
+            self.times[last] = begun;
             return;
         }
+        let whole = time.ceil();
         let before = self.times.partition_point(|before| *before <= time - 1.0);
         let before = before.saturating_sub(1).min(last.saturating_sub(1));
         let from = self.raw[before];

@@ -282,8 +282,25 @@ fn pauses_become_holds() {
 }
 
 #[test]
+fn times_of_few_digits_have_as_many_frames_as_poses() {
+    for (fps, digit) in [(30.0, 1e-4), (30.0, 1e-3), (60.0, 1e-3), (29.97, 1e-4)] {
+        for count in 50..70 {
+            let rounded = |k: i32| (f64::from(k) / fps / digit).round() * digit;
+            let seconds: Vec<f64> = (0..count).map(rounded).collect();
+            let poses: Vec<Pose> = seconds
+                .iter()
+                .map(|when| turned([*when, 0.0, 0.0], 0.3, 0.0))
+                .collect();
+            let fitted = made(&poses, &seconds, fps, &TOLERANCE.into());
+            let frames = Timeline::new(&fitted.path).unwrap().frame_count().unwrap();
+            assert_eq!(frames as i32, count, "{fps} {digit}");
+        }
+    }
+}
+
+#[test]
 fn a_line_may_end_between_frames() {
-    for last in [20.3, 20.5, 20.7, 20.01, 0.3, 1.6] {
+    for last in [20.3, 20.5, 20.7, 20.05, 0.3, 1.6] {
         let count = 21;
         let seconds: Vec<f64> = (0..count)
             .map(|k| 5.0 + f64::from(k) / f64::from(count - 1) * last / 25.0)
