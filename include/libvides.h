@@ -1640,23 +1640,32 @@ int v_path_point_at_length(const V_PATH *path,
  * are seen from the target: 0 is towards +z, 90 towards +x.
  *
  * "orbit"  on a circle round a target
- *     around (0), radius (1), height (0.4), from (0), turns (1), zoom (24), seconds (10)
+ *     around x y z (0), radius (1), height (0.4), from degrees (0), turns (1),
+ *     zoom mm (24), seconds (10)
  * "spiral"  round a target with another radius and height at the end
- *     as "orbit", end-radius (0.5), end-height (1)
+ *     around x y z (0), radius (1), height (0.4), from degrees (0), turns (1),
+ *     zoom mm (24), seconds (10), end-radius (0.5), end-height (1)
  * "arc"  on a part of a circle, from one heading to another
- *     around (0), radius (1), height (0.4), from (-45), to (45), zoom (24), seconds (10)
+ *     around x y z (0), radius (1), height (0.4), from degrees (-45),
+ *     to degrees (45), zoom mm (24), seconds (10)
  * "flyby"  straight past a target that stays in view
- *     around (0), distance (1), height (0.4), from (0), length (2), zoom (24), seconds (10)
+ *     around x y z (0), distance (1), height (0.4), from degrees (0),
+ *     length (2), zoom mm (24), seconds (10)
  * "approach"  straight towards a target
- *     around (0), distance (1), end-distance (0.4), from (0), rise (15), zoom (24), seconds (10)
+ *     around x y z (0), distance (1), end-distance (0.4), from degrees (0),
+ *     rise degrees (15), zoom mm (24), seconds (10)
  * "dolly-zoom"  towards a target that keeps its size in the picture
- *     as "approach", zoom (60)
+ *     around x y z (0), distance (1), end-distance (0.4), from degrees (0),
+ *     rise degrees (15), zoom mm (60), seconds (10)
  * "crane"  straight up or down beside a target that stays in view
- *     around (0), radius (1), height (-0.2), end-height (1), from (0), zoom (24), seconds (10)
+ *     around x y z (0), radius (1), height (-0.2), end-height (1),
+ *     from degrees (0), zoom mm (24), seconds (10)
  * "pan"  turns on the spot
- *     at (0), from (-45), to (45), tilt (0), zoom (24), seconds (10)
+ *     at x y z (0), from degrees (-45), to degrees (45), tilt degrees (0),
+ *     zoom mm (24), seconds (10)
  * "figure-eight"  on an eight that lies before the target
- *     around (0), radius (0.7), height (0.4), width (1.2), from (0), zoom (24), seconds (10)
+ *     around x y z (0), radius (0.7), height (0.4), width (1.2),
+ *     from degrees (0), zoom mm (24), seconds (10)
  *
  * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
