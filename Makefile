@@ -208,7 +208,7 @@ check-rust:
 	@mk/need.sh python3=python3 Xvfb=xvfb xdotool=xdotool xclip=xclip \
 	    setxkbmap=x11-xkb-utils /usr/share/X11/locale/compose.dir=libx11-data
 	@mk/locale.sh
-	env -u MAKEFLAGS $(CARGO) test --locked --workspace --all-features -- --skip timed_
+	env -u MAKEFLAGS $(CARGO) test --locked --workspace --all-features --no-fail-fast -- --skip timed_
 
 check-c: libs
 	@mk/need.sh c++=g++ valgrind=valgrind

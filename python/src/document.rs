@@ -8,7 +8,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use vides::document::{self, Edit, Info};
 use vides::glam::DVec3;
-use vides::path::{CameraPath, Change, CurveKind, Motion, Pose, Space, Target, Up};
+use vides::path::{CameraPath, Change, CurveKind, Motion, Pose, Space, Up};
 use vides::tools::check::Finding;
 use vides::tools::fit::Progress;
 

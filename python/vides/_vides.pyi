@@ -62,7 +62,7 @@ def fit(
         tuple[tuple[float, float], ...],
         float,
         tuple[int, int, int, int],
-        tuple[float, int] | None,
+        tuple[float, float, int] | None,
         str,
     ],
 ]: ...

@@ -1,6 +1,6 @@
 //! Out of a document into a file, and back: what command, window and C call.
 
-use std::io::{self, Write};
+use std::io::{self, BufRead, Write};
 use std::path::Path;
 
 use vides_document::{Error as DocumentError, SceneDocument, keys_to_path, save};
@@ -80,6 +80,11 @@ pub fn export(
         let barred = Place::Whole.wrong(Cause::Beside((*name).into()));
         return Err(barred.at(&folder.display().to_string()));
     }
+    let mut empty = format.empty.iter();
+    if let Some(name) = empty.find(|name| has_data(&folder.join(name))) {
+        let replaced = Place::Whole.wrong(Cause::Replaced((*name).into()));
+        return Err(replaced.at(&folder.display().to_string()));
+    }
     let io = |source| DocumentError::Io {
         place: folder.display().to_string(),
         source,
@@ -101,6 +106,20 @@ pub fn export(
         let _ = std::fs::remove_dir(folder);
     }
     saved.map(|()| report)
+}
+
+/// Whether a file of text has lines that are no comments.
+fn has_data(file: &Path) -> bool {
+    let Ok(file) = std::fs::File::open(file) else {
+        return false;
+    };
+    let mut lines = io::BufReader::new(file)
+        .split(b'\n')
+        .map_while(|line| line.ok());
+    lines.any(|line| {
+        let line = line.trim_ascii();
+        !line.is_empty() && line[0] != b'#'
+    })
 }
 
 /// Writes onto a stream.

@@ -281,6 +281,8 @@ pub enum Cause {
     Outside(Text),
     #[error("{0} lies there too and would be read first: move it away")]
     Beside(Text),
+    #[error("{0} there has data that would be lost: write into another folder")]
+    Replaced(Text),
     /// With the command that makes something of it that is read, if there is one.
     #[error("{name} is not read{}", if help.is_empty() { String::new() } else { format!(": make text of it by `{help}`") })]
     Unsupported { name: Text, help: &'static str },

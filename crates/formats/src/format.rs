@@ -70,6 +70,8 @@ pub struct Format {
     /// Files that would be read before the parts, or together with them: into a folder that has one
     /// nothing is written.
     pub barred: &'static [&'static str],
+    /// Parts that are written without data: one that has some, below its comments, is not replaced.
+    pub empty: &'static [&'static str],
 }
 
 impl Format {
@@ -89,6 +91,7 @@ impl Format {
         by_ending: &[],
         parts: &[],
         barred: &[],
+        empty: &[],
     };
 
     /// Whether it can be read.

@@ -111,6 +111,7 @@ german! {
         Missing(name) => "{name} fehlt";
         Outside(name) => "{name} liegt außerhalb des Verzeichnisses der Datei, wo nichts gelesen wird";
         Beside(name) => "auch {name} liegt dort und würde zuerst gelesen: verschieben";
+        Replaced(name) => "{name} dort hat Daten, die verloren gingen: in einen anderen Ordner schreiben";
         Unsupported { name, help } => "{name} wird nicht gelesen{}",
             if help.is_empty() { String::new() } else { format!(": Text wird daraus durch „{help}“") };
     }

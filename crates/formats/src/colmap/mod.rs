@@ -30,6 +30,7 @@ pub(super) static COLMAP: Format = Format {
         ("images.txt", write::images),
         ("points3D.txt", write::points),
     ],
+    empty: &["points3D.txt"],
     // What COLMAP reads before the three texts, or together with them.
     barred: &[
         "cameras.bin",

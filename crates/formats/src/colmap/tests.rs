@@ -134,6 +134,42 @@ fn text_and_binary_are_one_model_in_the_order_of_names() {
     );
 }
 
+/// What COLMAP has reconstructed is not replaced by a file without points.
+#[test]
+fn points_that_are_there_stay() {
+    let scene = SceneDocument::from_toml(
+        "version = 1\n[[point]]\nposition = [0, 0, 0]\n[[point]]\nposition = [0.5, 0, 0]\n",
+    )
+    .unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    let points = folder.path().join("points3D.txt");
+    let written = |to: &Path| {
+        let format = by_name("colmap").unwrap();
+        export(&scene, to, format, &Options::default(), &mut |_, _| {})
+    };
+    for text in ["", "# POINT3D_ID\n\n"] {
+        std::fs::write(&points, text).unwrap();
+        written(folder.path()).unwrap();
+    }
+    let text = "# POINT3D_ID\n1 0 0 0 255 255 255 0.1 1 0\n";
+    std::fs::write(&points, text).unwrap();
+    let images = std::fs::read(folder.path().join("images.txt")).unwrap();
+    for to in [folder.path(), &folder.path().join("images.txt")] {
+        let said = written(to).unwrap_err().to_string();
+        assert!(
+            said.ends_with(
+                "points3D.txt there has data that would be lost: write into another folder"
+            ),
+            "{said}"
+        );
+        assert_eq!(std::fs::read_to_string(&points).unwrap(), text);
+    }
+    assert_eq!(
+        std::fs::read(folder.path().join("images.txt")).unwrap(),
+        images
+    );
+}
+
 #[test]
 fn points_are_shown() {
     let text = folder(
