@@ -91,8 +91,8 @@ texts! {
         how_many_hint: "Number of points to insert after point {0}",
             "Anzahl der Punkte, die hinter Punkt {0} kommen";
 
-        last_point: "The path ends at the last point: Edit ▸ Append after the last point extends it",
-            "Die Bahn endet am letzten Punkt: Bearbeiten ▸ Hinter dem letzten Punkt anfügen verlängert sie";
+        last_point: "The path ends at the last point: “Append after the last point” in the Edit menu extends it",
+            "Die Bahn endet am letzten Punkt: „Hinter dem letzten Punkt anfügen“ im Menü Bearbeiten verlängert sie";
         two_remain: "Two points always remain: this one cannot be removed",
             "Zwei Punkte bleiben immer: Dieser lässt sich nicht löschen";
         too_many: "A path has at most {0} points", "Eine Bahn hat höchstens {0} Punkte";

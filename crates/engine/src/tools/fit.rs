@@ -210,14 +210,17 @@ pub fn fit(
 ) -> Result<Fitted> {
     let mut data = Data::new(poses, seconds, fps, options)?;
     let mut made = data.made(options, poses.len(), progress)?;
-    made.report.better = data.better(&made.report, progress)?;
-    if !options.robust && made.report.better.is_none() {
+    if !options.robust {
         let robust = Options {
             robust: true,
             ..*options
         };
         let data = Data::new(poses, seconds, fps, &robust)?;
         made.report.robust = data.robust(&made.report, progress)?;
+    }
+    // Poses that are wrong cost no tolerance.
+    if made.report.robust.is_none() {
+        made.report.better = data.better(&made.report, progress)?;
     }
     Ok(made)
 }
@@ -337,7 +340,7 @@ impl Data {
             Err(Error::Limit(_)) => return Ok(None),
             Err(error) => return Err(error),
         };
-        Ok((2 * points <= report.points).then_some((outliers, points)))
+        Ok((3 * points <= 2 * report.points).then_some((outliers, points)))
     }
 
     /// Where there are many points, a tolerance beyond the noise if it needs at most half of them.

@@ -63,7 +63,7 @@ pub struct Report {
     /// third of the poses became points.
     pub better: Option<(Tolerance, usize)>,
     /// Outliers that a robust fit leaves out, and the points that it then needs, where these are at
-    /// most half as many and the fit was not robust.
+    /// most two thirds as many and the fit was not robust.
     pub robust: Option<(usize, usize)>,
 }
 
