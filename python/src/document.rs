@@ -474,9 +474,9 @@ impl Document {
         })
     }
 
-    fn steady(&self, py: Python<'_>, seconds: f64, within: f64) -> PyResult<(f64, f64)> {
+    fn steady(&self, py: Python<'_>, period: f64, within: f64) -> PyResult<(f64, f64)> {
         self.planned(py, |document, go_on| {
-            planning::steadied(document, seconds, within, go_on)
+            planning::steadied(document, period, within, go_on)
         })
     }
 

@@ -101,7 +101,7 @@ def test_arrays_of_zooms_and_rolls(path: vides.Path) -> None:
         ("zooms", [1, 2, 3], r"zooms must have the shape \(5,\), not \(3,\)"),
         ("zooms", [20, 30, 0, 40, 50], "point 2.*zoom must lie between 1 and 2000"),
         ("rolls", [0, 0, np.inf, 0, 0], r"rolls\[2\] is inf"),
-        ("zooms", "wide", "zooms must be real numbers"),
+        ("zooms", "wide", "zooms must be a number, not str"),
     ):
         before = path.to_str()
         with pytest.raises((ValueError, TypeError), match=said):

@@ -66,7 +66,7 @@ class Path(Shaped):
     >>> poses = np.tile([0, 0, 0, 0, 0, -1, 0, 1, 0, 24.0], (200, 1))
     >>> poses[:, 0], poses[:, 1] = t / 50, 0.01 * np.sin(2 * t)
     >>> recorded = Path.fit(Samples(poses, fps=25), tolerance=0.005)
-    >>> moved = recorded.steady(seconds=1, within=0.05)
+    >>> moved = recorded.steady(period=1, within=0.05)
     >>> clean = recorded.sample().positions
     >>> bool(abs(clean[25:-25, 1]).max() < 0.003), bool(moved.furthest <= 0.05)
     (True, True)

@@ -151,10 +151,10 @@ class Planned(Keyed):
         around = None if object is None else given(object)
         return Framed(*self._native.keep_in_picture(number(margin, "margin"), str_of(by, "by"), around))
 
-    def steady(self, seconds: float, within: float | None = None) -> Steadied:
+    def steady(self, period: float, within: float | None = None) -> Steadied:
         """Stabilises a recorded flight; its first and last pose are unchanged.
 
-        ``seconds`` is the cut-off period: motion of this period is halved, faster motion is
+        ``period`` is the cut-off period in seconds: motion of this period is halved, faster motion is
         removed. ``within`` is the maximum distance that any position may move, in the world's
         lengths. A closed path becomes open; the number of frames is unchanged.
 
@@ -166,7 +166,7 @@ class Planned(Keyed):
         if within is not None and not number(within, "within") > 0:
             raise Invalid(f"within must be greater than 0, not {within}", "range")
         told = self._native.steady(
-            number(seconds, "seconds"), 0.0 if within is None else number(within, "within")
+            number(period, "period"), 0.0 if within is None else number(within, "within")
         )
         return Steadied(*told)
 

@@ -465,7 +465,7 @@ class Tools(Applied):
         last: int = -1,
         with_targets: bool = False,
     ) -> None:
-        """Deforms the points' box by the squares in the space, which are dragged, as one undo step.
+        """Deforms the points' box by 4 × 4 × 4 control points, as one undo step.
 
         - ``lattice`` (4, 4, 4, 3): one of 4 × 4 × 4 squares, and where it is in the box
         - ``first``: the first of the points, from 0
