@@ -14,9 +14,8 @@ use crate::path::{Pose, Space, Up};
 /// Times that differ by less than this, in frames, are equal.
 const EQUAL_FRAMES: f64 = 1e-4;
 
-/// A last time that lies so little after a whole frame, in frames, is that frame: milliseconds at 60
-/// frames per second are rounded by 0.03.
-const ROUNDED: f64 = 0.031;
+/// Rounded times are no farther off than this, in frames.
+const ROUNDED: f64 = 0.1;
 
 impl Data {
     pub(super) fn new(
@@ -79,7 +78,7 @@ impl Data {
             fps,
             space,
         };
-        data.end_at_a_frame();
+        data.end_at_a_frame(rounding(seconds.unwrap_or_default(), fps, rate));
         Ok(data)
     }
 
@@ -95,12 +94,12 @@ impl Data {
     }
 
     /// A recording that ends between frames goes on to the next one, as fast as in its last frame;
-    /// one that ends hardly after a frame, as times with few digits do, ends at it.
-    fn end_at_a_frame(&mut self) {
+    /// one whose last time is a frame's but for rounding ends at it.
+    fn end_at_a_frame(&mut self, rounding: f64) {
         let last = self.times.len() - 1;
         let (time, end) = (self.times[last], self.raw[last]);
         let begun = time.floor();
-        if time - begun <= ROUNDED && (last == 0 || begun > self.times[last - 1]) {
+        if time - begun <= rounding && (last == 0 || begun > self.times[last - 1]) {
             self.times[last] = begun;
             return;
         }
@@ -144,6 +143,19 @@ fn check_times(seconds: Option<&[f64]>, poses: usize, fps: f64) -> Result<()> {
         return Err(TooMany::PoseSpan(span).into());
     }
     Ok(())
+}
+
+/// By how many frames the last of times with three to six decimals may be off; 0 if they have more.
+fn rounding(times: &[f64], fps: f64, rate: f64) -> f64 {
+    let off = (3..=6).find_map(|decimals| {
+        let scale = 10f64.powi(decimals);
+        let whole = |time: &f64| {
+            let digits = time * rate / fps * scale;
+            (digits - digits.round()).abs() <= 1e-15 * digits.abs() + 1e-6
+        };
+        times.iter().all(whole).then_some(fps / scale)
+    });
+    off.unwrap_or(0.0).min(ROUNDED)
 }
 
 /// A time that is nearly a whole frame is one.
