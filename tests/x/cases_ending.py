@@ -58,6 +58,7 @@ def unsaved_work_stays_however_its_host_ends(place):
         server.end()
     # The thread with the window goes on while another one ends the program.
     server, host, _ = edited(place, "thread-goes-on")
+    end(host)
     check(host.ends() == 0, "it ends")
     is_kept(place, "thread")
 

@@ -4,6 +4,7 @@
  */
 #include <poll.h>
 #include <pthread.h>
+#include <semaphore.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -16,6 +17,7 @@
 #include <libvides.h>
 
 static Display *display;
+static sem_t told;
 
 static void say(const char *word)
 {
@@ -57,6 +59,15 @@ static void *thread_with_window(void *unused)
     return unused;
 }
 
+/* It says that there was a line and serves its window on: it ends with its program. */
+static void *thread_that_goes_on(void *unused)
+{
+    open_window();
+    sem_post(&told);
+    serve();
+    return unused;
+}
+
 static void *thread_that_exits(void *unused)
 {
     (void)unused;
@@ -78,13 +89,14 @@ int main(int count, char **words)
         return 99;
     XMapWindow(display, XCreateSimpleWindow(display, DefaultRootWindow(display), 0, 0, 50, 50, 0, 0, 0));
     if (!strncmp(way, "thread", 6)) {
-        pthread_create(&thread, NULL, thread_with_window, NULL);
         if (!strcmp(way, "thread-ends")) {
+            pthread_create(&thread, NULL, thread_with_window, NULL);
             pthread_join(thread, NULL);
             say("thread ended");
         } else {
-            /* Its loop takes the line; it ends with us. */
-            sleep(3);
+            sem_init(&told, 0, 0);
+            pthread_create(&thread, NULL, thread_that_goes_on, NULL);
+            sem_wait(&told);
         }
         return 0;
     }
