@@ -129,7 +129,7 @@ fn text(document: &Document, found: &[Finding], notes: &[Note]) -> String {
             ("Finding", Align::Left),
         ];
         let mut table = Table::new(&columns);
-        for finding in found {
+        for finding in worst(found) {
             table.row(vec![
                 frames(document, finding),
                 finding.kind.name().to_owned(),
@@ -140,7 +140,15 @@ fn text(document: &Document, found: &[Finding], notes: &[Note]) -> String {
         let _ = writeln!(text, "{}\n", table.to_string().trim_end());
     }
     for kind in FindingKind::all() {
-        if found.iter().any(|finding| finding.kind == kind) {
+        let count = found.iter().filter(|finding| finding.kind == kind).count();
+        if count > LISTED {
+            let name = kind.name();
+            let _ = writeln!(
+                text,
+                "{name}: the worst {LISTED} of {count} (--json lists all)"
+            );
+        }
+        if count > 0 {
             let _ = writeln!(text, "{}: {}", kind.name(), kind.remedy());
         }
     }
@@ -148,6 +156,24 @@ fn text(document: &Document, found: &[Finding], notes: &[Note]) -> String {
         let _ = writeln!(text, "Note: {note}");
     }
     text
+}
+
+/// Findings of one kind that are listed.
+const LISTED: usize = 20;
+
+/// Of each kind the findings farthest beyond their limit, in their order.
+fn worst(found: &[Finding]) -> Vec<&Finding> {
+    // A ratio of 0 or without a number is as far as can be.
+    let beyond = |finding: &Finding| (finding.value / finding.limit).ln().abs();
+    let mut ranked: Vec<usize> = (0..found.len()).collect();
+    ranked.sort_by(|a, b| beyond(&found[*b]).total_cmp(&beyond(&found[*a])));
+    let mut listed: Vec<usize> = Vec::new();
+    for kind in FindingKind::all() {
+        let of_kind = ranked.iter().filter(|at| found[**at].kind == kind);
+        listed.extend(of_kind.take(LISTED));
+    }
+    listed.sort_unstable();
+    listed.into_iter().map(|at| &found[at]).collect()
 }
 
 /// The frames of a finding as people count them.

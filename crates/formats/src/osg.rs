@@ -12,7 +12,9 @@ pub(super) static OSG: Format = Format {
     endings: &["path"],
     recognises: |source| {
         let text = source.beginning();
-        !text.contains('#') && rows::first(text).is_some_and(rows::turns_last)
+        // The same columns as TUM's, whose recordings are called CameraTrajectory.txt.
+        let is_txt = source.name.to_ascii_lowercase().ends_with(".txt");
+        !is_txt && !text.contains('#') && rows::first(text).is_some_and(rows::turns_last)
     },
     read: Some(|source, _, report| tum::read(source, CameraAxes::OpenGl, report)),
     write: Some(|flight, out, report| tum::write(flight, b"", CameraAxes::OpenGl, out, report)),

@@ -36,8 +36,13 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Value> {
     }
     vides_document::error::can_allocate(weight)?;
     // serde_json itself refuses what lies deeper than 128 levels.
-    serde_json::from_slice(bytes)
-        .map_err(|error| Place::Line(error.line()).wrong(Cause::Syntax((&error).into())))
+    serde_json::from_slice(bytes).map_err(|error| {
+        // The parser repeats the line.
+        let said = error.to_string();
+        let words = said.split(" at line ").next().unwrap_or(&said);
+        let said = format!("{words} (column {})", error.column());
+        Place::Line(error.line()).wrong(Cause::Syntax(said.as_str().into()))
+    })
 }
 
 /// A value and the keys that lead to it.

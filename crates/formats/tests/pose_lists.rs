@@ -229,6 +229,7 @@ fn content_tells_the_format_and_where_it_cannot_the_name_does() {
             );
             assert_eq!(read("flight.tum").unwrap(), "tum");
             assert_eq!(read("flight.PATH").unwrap(), "osg");
+            assert_eq!(read("CameraTrajectory.txt").unwrap(), "tum");
         } else {
             assert_eq!(read("flight.txt").unwrap(), name);
         }

@@ -2,7 +2,8 @@
 
 mod png;
 
-use std::path::PathBuf;
+use std::io::{self, IsTerminal};
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use vides::plot;
@@ -17,9 +18,10 @@ pub(super) struct Arguments {
     /// The path, or a scene, for its shown camera; - is standard input
     #[arg(value_name = "FILE.vid")]
     file: PathBuf,
-    /// The output file, .svg or .png; - is standard output, as SVG
-    #[arg(short, long, value_name = "OUT", default_value = "-")]
-    output: PathBuf,
+    /// The output file, .svg or .png; - is standard output, as SVG, which is also where it
+    /// goes without this option, but not onto a terminal
+    #[arg(short, long, value_name = "OUT")]
+    output: Option<PathBuf>,
     #[command(flatten)]
     object: ObjectOption,
     /// Uses a dark background
@@ -28,9 +30,14 @@ pub(super) struct Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let out = &arguments.output;
+    if arguments.output.is_none() && io::stdout().is_terminal() {
+        return Err(Failure::Usage(
+            "name a file, .svg or .png, with --output, or - for SVG on the terminal".to_owned(),
+        ));
+    }
+    let out = arguments.output.as_deref().unwrap_or(Path::new("-"));
     let to_file = is_file(out);
-    let ending = arguments.output.extension();
+    let ending = out.extension();
     let ends = |wanted: &str| ending.is_some_and(|ending| ending.eq_ignore_ascii_case(wanted));
     if to_file && !ends("svg") && !ends("png") {
         return Err(Failure::Usage(format!(

@@ -434,6 +434,15 @@ fn any_bytes_do_no_harm() {
 }
 
 #[test]
+fn what_is_no_gltf_is_told_so() {
+    for format in ["glb", "gltf"] {
+        let source = Source::of_bytes("a.glb", b"junk".to_vec());
+        let error = import(&source, by_name(format).ok(), &Options::default()).unwrap_err();
+        assert_eq!(error.to_string(), "a.glb: expected \"glTF\"");
+    }
+}
+
+#[test]
 fn a_file_beside_is_read_and_none_outside() {
     let folder = tempfile::tempdir().unwrap();
     let inside = folder.path().join("in");

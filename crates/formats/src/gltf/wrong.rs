@@ -4,7 +4,7 @@ use vides_document::mesh::gltf::Container;
 use vides_document::mesh::{Error as MeshError, Problem};
 use vides_engine::limits::{MAX_FILE_BYTES, MAX_SCENE_NUMBERS};
 
-use crate::error::{Cause, Error, Place};
+use crate::error::{Cause, Error, Place, Wanted};
 use crate::source::Source;
 use crate::tree::{self, At};
 
@@ -36,6 +36,10 @@ pub(super) fn of_file(source: &Source, error: MeshError) -> Error {
             2 => wrong(error),
             _ => Place::Whole.wrong(version(&number.to_string())),
         };
+    }
+    let begin = source.bytes.trim_ascii_start().first();
+    if begin.is_some_and(|begin| !matches!(begin, b'{' | b'\xef')) {
+        return Place::Whole.wrong(Cause::Expected(Wanted::Literal("glTF")));
     }
     let json = match tree::parse(&source.bytes) {
         Ok(json) => json,

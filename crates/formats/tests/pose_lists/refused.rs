@@ -153,7 +153,7 @@ fn what_is_wrong_in_trees_is_one_sentence_with_its_place() {
         (
             "nerfstudio",
             "[1",
-            "line 1: EOF while parsing a list at line 1 column 2",
+            "line 1: EOF while parsing a list (column 2)",
         ),
         (
             "transforms",
@@ -178,7 +178,7 @@ fn what_is_wrong_in_trees_is_one_sentence_with_its_place() {
         (
             "transforms",
             &deep,
-            "line 1: recursion limit exceeded at line 1 column 138",
+            "line 1: recursion limit exceeded (column 138)",
         ),
         ("cameras", "{}", "expected an array"),
         (
