@@ -217,3 +217,35 @@ fn json(document: &Document, fixed: &[Finding], found: &[Finding], notes: &[Note
     }
     format!("[\n{}\n]\n", objects.join(",\n"))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_worst_of_each_kind_are_listed_in_their_order() {
+        let finding = |kind, at: usize, value| Finding {
+            kind,
+            first_frame: at as f64,
+            last_frame: at as f64,
+            point: at,
+            orientation: 0,
+            value,
+            limit: 10.0,
+        };
+        let of_kind = |name, values: &[f64]| -> Vec<Finding> {
+            let kind = FindingKind::parse(name).unwrap();
+            let all = values.iter().enumerate();
+            all.map(|(at, value)| finding(kind, at, *value)).collect()
+        };
+        let fast: Vec<f64> = (0..30).map(|at| f64::from(11 + (at * 7) % 30)).collect();
+        let mut found = of_kind("turning", &fast);
+        // Below its limit, and the farther the worse; 0 is the worst.
+        found.extend(of_kind("clearance", &[9.0, 0.0]));
+        let listed = worst(&found);
+        let turning: Vec<f64> = listed.iter().map(|finding| finding.value).collect();
+        let wanted: Vec<f64> = fast.iter().copied().filter(|value| *value > 20.0).collect();
+        assert_eq!(turning[..20], wanted);
+        assert_eq!(turning[20..], [9.0, 0.0]);
+    }
+}
