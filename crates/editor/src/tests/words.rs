@@ -8,7 +8,7 @@ use egui_kittest::kittest::{NodeT, by};
 #[test]
 fn every_letter_of_every_text_can_be_drawn() {
     let window = window(Language::German);
-    for (name, english, german) in Texts::ALL.iter().copied().flatten() {
+    for (name, english, german) in Texts::all() {
         for text in [english, german] {
             let drawn = window
                 .ctx
@@ -21,8 +21,8 @@ fn every_letter_of_every_text_can_be_drawn() {
 /// The window shows arrows; what the thesis calls them stands where they are switched off.
 #[test]
 fn texts_need_no_thesis() {
-    let all = Texts::ALL.iter().copied().flatten();
-    for (name, english, german) in all.filter(|(name, ..)| !name.starts_with("Display")) {
+    let all = Texts::all();
+    for (name, english, german) in all.filter(|(name, ..)| !name.starts_with("display")) {
         for text in [english, german] {
             assert!(
                 !text.contains("VPN") && !text.contains("VUP"),
@@ -77,19 +77,16 @@ fn is_filled(text: &str, template: &str) -> bool {
 fn no_text_is_in_the_other_language() {
     for language in BOTH {
         let texts = language.texts();
-        let foreign: Vec<&str> = Texts::ALL
-            .iter()
-            .copied()
-            .flatten()
+        let foreign: Vec<&str> = Texts::all()
             .filter(|(_, english, german)| english != german)
             .map(|(_, english, german)| match language {
-                Language::English => *german,
-                Language::German => *english,
+                Language::English => german,
+                Language::German => english,
             })
             // Some words are those of another text in this language.
             .filter(|foreign| {
-                Texts::ALL.iter().copied().flatten().all(|(_, e, g)| {
-                    foreign
+                Texts::all().all(|(_, e, g)| {
+                    *foreign
                         != match language {
                             Language::English => e,
                             Language::German => g,
@@ -99,7 +96,7 @@ fn no_text_is_in_the_other_language() {
             .collect();
         // Those with places for values, and words that tell them.
         let filled_in = |language: Language, text: &str| {
-            let all = Texts::ALL.iter().copied().flatten();
+            let all = Texts::all();
             let mut all = all.filter(|(_, english, german)| english != german);
             all.any(|(_, english, german)| {
                 let template = match language {

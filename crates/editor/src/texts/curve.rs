@@ -6,61 +6,11 @@ use super::{Language, texts};
 
 texts! {
     Curve {
-        title: "Curve parameters", "Kurvenparameter";
-        of: "Point {0} · View {1}", "Punkt {0} · Blick {1}";
-        waiting: "not applied yet", "noch nicht übernommen";
-
-        preset: "Preset {0}", "Standard {0}";
-        for_this: "for this point", "für diesen Punkt";
-        for_all: "for all {0}", "für alle {0}";
-        for_all_hint: "Other points use preset {0}, too. Apply to which points?",
-            "Standard {0} gilt auch für andere Punkte: Für wen sind die neuen Werte?";
-        own: "Own values", "Eigendef.";
-        own_hint: "Values of this point alone", "Werte nur für diesen Punkt";
-        smooth: "smooth", "glatt";
-        tighter: "tighter", "straffer";
-        rounder: "rounder", "runder";
-        corner: "corner", "Ecke";
-        corner_outwards: "corner, outwards", "Ecke nach außen";
-        late: "turns late", "biegt später";
-        early: "turns early", "biegt früher";
-
-        used: "Used by {0} points", "Gilt für {0} Punkte";
-        used_once: "Only this point", "Nur dieser Punkt";
-
-        tension: "Tension", "Tension";
-        tension_hint: "Tension: above 0 the curve is tighter, below 0 rounder",
-            "Tension: über 0 verläuft die Kurve straffer, unter 0 runder";
-        continuity: "Continuity", "Continuity";
-        continuity_hint: "Continuity: the curve has a corner at the point, except at 0",
-            "Continuity: abweichend von 0 hat die Kurve im Punkt eine Ecke";
-        bias: "Bias", "Bias";
-        bias_hint: "Bias: above 0 the curve turns after the point (overshoot), below 0 before it",
-            "Bias: über 0 dreht die Kurve erst hinter dem Punkt (Overshot), unter 0 schon davor";
-
-        picture: "Curve around this point", "Kurve um diesen Punkt";
-        before: "as it is", "bisher";
-        after: "as it will be", "künftig";
-
-        position: "Pos", "Pos";
-        orientation: "Ori", "Ori";
-        target: "target", "Ziel";
-        target_hint: "Absolute: the place that the camera looks at",
-            "Absolut: der Ort, auf den die Kamera blickt";
-        offset: "offset", "relativ";
-        offset_hint: "Relative: the place that the camera looks at, as seen from the point",
-            "Relativ: der Ort, auf den die Kamera blickt, vom Punkt aus";
-        roll: "Roll", "Winkel";
-        roll_hint: "Turns the camera about its view", "Dreht die Kamera um ihre Blickrichtung";
-
-        show: "Show", "Zeigen";
-        show_hint: "Apply what was entered", "Die Eingaben übernehmen";
-        ok: "OK", "OK";
-        ok_hint: "Apply what was entered and close", "Die Eingaben übernehmen und schließen";
-        given_up: "Another point or view is current: what was entered has been discarded",
-            "Ein anderer Punkt oder ein anderer Blick ist aktuell: Die Eingaben sind verworfen";
-        given_up_changed: "The path has changed: what was entered has been discarded",
-            "Die Bahn hat sich geändert: Die Eingaben sind verworfen";
+        title, of, waiting, preset, for_this, for_all, for_all_hint, own, own_hint, smooth, tighter,
+        rounder, corner, corner_outwards, late, early, used, used_once, tension, tension_hint,
+        continuity, continuity_hint, bias, bias_hint, picture, before, after, position, orientation,
+        target, target_hint, offset, offset_hint, roll, roll_hint, show, show_hint, ok, ok_hint,
+        given_up, given_up_changed,
     }
 }
 

@@ -1,22 +1,18 @@
 //! Every word that the window shows, German and English.
 //!
-//! One file for each panel and sub-window, and each text with its translation on the next line, so
-//! that neither is forgotten. `{0}`, `{1}` … stand for values; [`fill`] puts them in.
+//! The texts stand in `texts/english.txt` and `texts/german.txt`, one a line; here are their names, one
+//! file for each panel and sub-window. `{0}`, `{1}` … stand for values; [`fill`] puts them in.
 //!
-//! ```text
-//! texts! {
-//!     Space {
-//!         whole_meaning: "See all of it as at first",
-//!             "Alles sehen wie am Anfang";
-//!     }
-//! }
-//! ```
-//!
-//! The library's own sentences are English; `german` and `german_files` translate its errors.
+//! The library's own sentences are English; `german` and `german_files` say which values go into
+//! those of its errors in another language.
 
+#[cfg(test)]
+use std::collections::BTreeSet;
 use std::fmt::{Display, Write};
+use std::sync::OnceLock;
 
 mod ambiguities;
+mod catalogue;
 mod check;
 mod colours;
 mod compare;
@@ -50,6 +46,8 @@ mod timing;
 mod tools;
 mod zoom;
 
+use catalogue::Catalogue;
+
 /// The window's language.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Language {
@@ -82,11 +80,40 @@ impl Language {
         }
     }
 
-    pub(super) const fn texts(self) -> &'static Texts {
-        match self {
-            Self::English => &Texts::ENGLISH,
-            Self::German => &Texts::GERMAN,
-        }
+    pub(super) fn texts(self) -> &'static Texts {
+        &self.loaded().1
+    }
+
+    fn catalogue(self) -> &'static Catalogue {
+        &self.loaded().0
+    }
+
+    /// The word of the catalogue for a name in a table of the library, or what the table says.
+    fn word(self, part: &str, name: &str, says: &'static str) -> &'static str {
+        self.catalogue().find(part, name).unwrap_or(says)
+    }
+
+    /// That a part of the catalogue holds exactly these names.
+    #[cfg(test)]
+    fn has_exactly(self, part: &str, names: &[&str]) {
+        let catalogue = self.catalogue().names().filter(|(of, _)| *of == part);
+        let found: BTreeSet<&str> = catalogue.map(|(_, name)| name).collect();
+        assert_eq!(found, names.iter().copied().collect(), "{self:?} {part}");
+    }
+
+    /// What the language says, read when it is first needed.
+    fn loaded(self) -> &'static (Catalogue, Texts) {
+        static ENGLISH: OnceLock<(Catalogue, Texts)> = OnceLock::new();
+        static GERMAN: OnceLock<(Catalogue, Texts)> = OnceLock::new();
+        let (language, file) = match self {
+            Self::English => (&ENGLISH, include_str!("../../texts/english.txt")),
+            Self::German => (&GERMAN, include_str!("../../texts/german.txt")),
+        };
+        language.get_or_init(|| {
+            let catalogue = Catalogue::new(file);
+            let texts = Texts::of(&catalogue);
+            (catalogue, texts)
+        })
     }
 
     /// A number with this language's decimal sign and a minus as wide as a digit; never minus zero.
@@ -116,21 +143,21 @@ impl Language {
     }
 }
 
-/// Declares the texts of one part of the window: `name: English, German;`.
+/// Declares the names of the texts of one part of the window.
 macro_rules! texts {
-    ($group:ident { $($name:ident: $english:literal, $german:literal;)* }) => {
+    ($group:ident { $($name:ident,)* }) => {
         pub(in crate) struct $group {
             $(pub(in crate) $name: &'static str,)*
         }
 
         impl $group {
-            pub(super) const ENGLISH: Self = Self { $($name: $english,)* };
-            pub(super) const GERMAN: Self = Self { $($name: $german,)* };
-
-            /// Name, English and German of each.
             #[cfg(test)]
-            pub(super) const ALL: &'static [(&'static str, &'static str, &'static str)] =
-                &[$((concat!(stringify!($group), ".", stringify!($name)), $english, $german),)*];
+            pub(super) const NAMES: &'static [&'static str] = &[$(stringify!($name)),*];
+
+            pub(super) fn of(catalogue: &super::Catalogue, part: &str) -> Self {
+                let [$($name),*] = catalogue.texts(part, [$(stringify!($name)),*]);
+                Self { $($name),* }
+            }
         }
     };
 }
@@ -144,12 +171,26 @@ macro_rules! parts {
         }
 
         impl Texts {
-            const ENGLISH: Self = Self { $($part: $part::$group::ENGLISH,)* };
-            const GERMAN: Self = Self { $($part: $part::$group::GERMAN,)* };
+            fn of(catalogue: &Catalogue) -> Self {
+                Self { $($part: $part::$group::of(catalogue, stringify!($part)),)* }
+            }
 
+            /// The names of each part.
             #[cfg(test)]
-            pub(super) const ALL: &'static [&'static [(&'static str, &'static str, &'static str)]] =
-                &[$($part::$group::ALL,)*];
+            const NAMES: &'static [(&'static str, &'static [&'static str])] =
+                &[$((stringify!($part), $part::$group::NAMES)),*];
+
+            /// Name, English and German of each; empty where a catalogue lacks it.
+            #[cfg(test)]
+            pub(super) fn all() -> impl Iterator<Item = (String, &'static str, &'static str)> {
+                let names = Self::NAMES.iter();
+                let names = names.flat_map(|(part, names)| names.iter().map(move |name| (*part, *name)));
+                let [english, german] = [Language::English, Language::German].map(Language::catalogue);
+                names.map(move |(part, name)| {
+                    let [english, german] = [english, german].map(|language| language.find(part, name));
+                    (format!("{part}.{name}"), english.unwrap_or_default(), german.unwrap_or_default())
+                })
+            }
         }
     };
 }
@@ -212,6 +253,21 @@ pub(super) fn fill(text: &str, values: &[&dyn Display]) -> String {
 mod tests {
     use super::*;
 
+    /// Parts whose names stand in tables of the library, or of the TOML parser, which has none.
+    const TABLES: [&str; 11] = [
+        "toml",
+        "tool",
+        "tool_does",
+        "parameter",
+        "parameter_does",
+        "choice",
+        "limit",
+        "limit_unit",
+        "finding",
+        "remedy",
+        "format",
+    ];
+
     fn placeholders(text: &str) -> Vec<&str> {
         let mut found: Vec<&str> = text
             .split('{')
@@ -225,13 +281,50 @@ mod tests {
     #[test]
     fn every_text_stands_in_both_languages_with_the_same_values() {
         let mut count = 0;
-        for (name, english, german) in Texts::ALL.iter().copied().flatten().copied() {
+        for (name, english, german) in Texts::all() {
             assert!(!english.trim().is_empty(), "{name}");
             assert!(!german.trim().is_empty(), "{name}");
             assert_eq!(placeholders(english), placeholders(german), "{name}");
             count += 1;
         }
         assert!(count > 10);
+    }
+
+    /// Part, name and number of values of the texts of errors.
+    fn errors() -> impl Iterator<Item = (&'static str, &'static str, usize)> {
+        let lists = [
+            german::ENGINE,
+            german_files::DOCUMENT,
+            german_files::WARNINGS,
+            formats::FORMATS,
+        ];
+        lists.into_iter().flatten().copied()
+    }
+
+    #[test]
+    fn every_error_has_a_text_with_its_values() {
+        for (part, name, values) in errors() {
+            let text = Language::German.catalogue().find(part, name);
+            let text = text.unwrap_or_else(|| panic!("{part}.{name} is missing"));
+            let mut found = placeholders(text);
+            found.dedup();
+            let wanted: Vec<String> = (0..values).map(|at| at.to_string()).collect();
+            assert_eq!(found, wanted, "{part}.{name}");
+        }
+    }
+
+    #[test]
+    fn no_text_is_there_in_vain() {
+        let window = Texts::NAMES.iter();
+        let window = window.flat_map(|(part, names)| names.iter().map(move |name| (*part, *name)));
+        let errors = errors().map(|(part, name, _)| (part, name));
+        let used: BTreeSet<_> = window.chain(errors).collect();
+        for language in [Language::English, Language::German] {
+            let names = language.catalogue().names();
+            for name in names.filter(|(part, _)| !TABLES.contains(part)) {
+                assert!(used.contains(&name), "{language:?}: {name:?}");
+            }
+        }
     }
 
     #[test]

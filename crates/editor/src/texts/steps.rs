@@ -8,62 +8,13 @@ use super::{Language, fill, texts};
 
 texts! {
     Steps {
-        undo: "Undo {0}", "{0} rückgängig";
-        redo: "Redo {0}", "{0} wiederholen";
-
-        insert_point: "new point", "Neuer Punkt";
-        insert_points: "new points", "Neue Punkte";
-        remove_point: "removing a point", "Löschen eines Punktes";
-        move_point: "reordering the points", "Umordnen der Punkte";
-        set_position: "moving a point", "Verschieben eines Punktes";
-        set_name: "naming a point", "Benennen eines Punktes";
-        tangents: "tangents", "Tangenten";
-        curve: "shape of the curve", "Kurvenform";
-        fit_frames: "length of the path", "Länge der Bahn";
-        insert_orientation: "new view", "Neuer Blick";
-        remove_orientation: "removing a view", "Löschen eines Blicks";
-        view: "view", "Blick";
-        roll: "roll", "Winkel";
-        zoom: "zoom", "Zoom";
-        pace: "speed curve", "Zeitkurve";
-        hold: "hold", "Halt";
-        section_frames: "frames of a section", "Bilder eines Abschnitts";
-        orientation: "view", "Blick";
-        base_frames: "base frames", "Grundbilder";
-        closed: "closing or opening the path", "Schließen oder Öffnen der Bahn";
-        modes: "kind of turning", "Art der Drehung";
-        fps: "frame rate", "Bildrate";
-        object: "object", "Objekt";
-        limits: "limits of the check", "Grenzen der Prüfung";
-        info: "notes on the path", "Angaben zur Bahn";
-        space: "space", "Raum";
-        edit_node: "choice of the node", "Wahl des Knotens";
-        add_nodes: "new nodes", "Neue Knoten";
-        remove_nodes: "removing nodes", "Löschen von Knoten";
-        copy_nodes: "copied nodes", "Kopierte Knoten";
-        node_name: "naming a node", "Benennen eines Knotens";
-        node_links: "parent or aim", "Überordnung oder Ziel";
-        node_values: "values of a node", "Werte eines Knotens";
-        motion: "motion of a node", "Bewegung eines Knotens";
-        keys: "keys", "Schlüssel";
-        interpolation: "interpolation", "Interpolation";
-        mesh: "mesh", "Netz";
-        shapes: "shapes", "Formen";
-        deformations: "deformations", "Verformungen";
-        marker: "marker", "Marke";
-        pin: "pin", "Anheftung";
-        shown_camera: "shown camera", "Gezeigte Kamera";
-        range: "range of frames", "Bildbereich";
-        replace_scene: "other scene", "Andere Szene";
-        keys_to_path: "keys to path", "Schlüssel zu Bahn";
-        replace_path: "other path", "Andere Bahn";
-        transform: "moving points", "Verschieben von Punkten";
-        deform: "deformation", "Verformung";
-        insert_path: "inserted path", "Eingefügte Bahn";
-        paste_points: "pasted points", "Eingefügte Punkte";
-        mend: "fixing a finding", "Beheben eines Funds";
-        reverse: "reversed path", "Umgekehrte Bahn";
-        repeat: "repeated path", "Wiederholte Bahn";
+        undo, redo, insert_point, insert_points, remove_point, move_point, set_position, set_name,
+        tangents, curve, fit_frames, insert_orientation, remove_orientation, view, roll, zoom, pace,
+        hold, section_frames, orientation, base_frames, closed, modes, fps, object, limits, info,
+        space, edit_node, add_nodes, remove_nodes, copy_nodes, node_name, node_links, node_values,
+        motion, keys, interpolation, mesh, shapes, deformations, marker, pin, shown_camera, range,
+        replace_scene, keys_to_path, replace_path, transform, deform, insert_path, paste_points,
+        mend, reverse, repeat,
     }
 }
 
