@@ -162,6 +162,19 @@ def test_which_axis_stands_upright() -> None:
     assert vides.Samples.load("poses.tum").world_up is None
 
 
+def test_samples_keep_what_their_file_told(tmp_path: Path) -> None:
+    stamps = [1403636580.838, 1403636580.911, 1403636581.5, 1403636583.25]
+    (tmp_path / "a.tum").write_text("".join(f"{t} {t - 1403636580} 0 0 0 0 0 1\n" for t in stamps))
+    samples = vides.Samples.load(tmp_path / "a.tum")
+    assert samples.start == samples[2:].start == pickle.loads(pickle.dumps(samples)).start == stamps[0]
+    assert any("begin at" in loss for loss in samples.losses)
+    samples.save(tmp_path / "b.tum", start=samples.start)
+    rows = (tmp_path / "b.tum").read_text().splitlines()
+    times = [float(row.split()[0]) for row in rows if not row.startswith("#")]
+    np.testing.assert_allclose(times, stamps, atol=1e-5)
+    assert vides.Samples(samples.array).losses == ()
+
+
 def test_a_list_that_becomes_a_list_keeps_its_times(tmp_path: Path) -> None:
     stamps = [1403636580.838, 1403636580.911, 1403636581.5, 1403636583.25]
     (tmp_path / "a.tum").write_text("".join(f"{t} {t - 1403636580} 0 0 0 0 0 1\n" for t in stamps))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import operator
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any, ClassVar, Literal, Protocol, overload
 
 import numpy as np
@@ -58,7 +58,7 @@ class Samples:
     programs have; :meth:`save` writes a file.
     """
 
-    __slots__ = ("array", "fps", "frames", "world_up")
+    __slots__ = ("array", "fps", "frames", "losses", "start", "world_up")
 
     array: Array
     """(n, 10): position x y z (``vrp``), view direction (``vpn``), up (``vup``), zoom in mm."""
@@ -72,6 +72,13 @@ class Samples:
     world_up: str | None
     """The up axis of the world, ``"y"`` or ``"z"``: that of the path or the file, or the one that the
     file's format prescribes (``transforms.json``). ``None`` if unknown."""
+
+    losses: tuple[str, ...]
+    """What :meth:`load` did not take from the file, or changed, a sentence each."""
+
+    start: float
+    """The time of frame 1 in the file, in seconds: ``samples.save("out.tum", start=samples.start)``
+    writes times like those that were read. 0 if the file has none."""
 
     def __init__(
         self, array: npt.ArrayLike, fps: float = 25.0, frames: npt.ArrayLike | None = None
@@ -97,13 +104,22 @@ class Samples:
         self.frames = (
             np.arange(1.0, count + 1.0) if frames is None else doubles(frames, (count,), "frames")
         )
-        self.world_up = None
+        self.world_up, self.losses, self.start = None, (), 0.0
 
     @classmethod
-    def _of(cls, array: Array, fps: float, frames: Array, world_up: str | None) -> Self:
+    def _of(
+        cls,
+        array: Array,
+        fps: float,
+        frames: Array,
+        world_up: str | None,
+        losses: Sequence[str] = (),
+        start: float = 0.0,
+    ) -> Self:
         """Poses from the engine, which are not checked again."""
         made = cls.__new__(cls)
         made.array, made.fps, made.frames, made.world_up = array, fps, frames, world_up
+        made.losses, made.start = tuple(losses), start
         return made
 
     @classmethod
@@ -117,13 +133,17 @@ class Samples:
         ``transforms.json`` always has z up. Keyframes of nerfstudio are ignored; :meth:`Path.load` makes
         points of them.
         """
-        array, frames, seconds, fps, up, _ = _vides.recording(path_of(file), str_or_none(format, "format"), choices(options))
+        array, frames, seconds, fps, up, losses = _vides.recording(
+            path_of(file), str_or_none(format, "format"), choices(options)
+        )
         rate = 25.0 if fps is None else fps
+        start = 0.0
         if frames is None and seconds is not None and len(seconds) > 0:
-            frames = (seconds - seconds[0]) * rate + 1.0
+            start = float(seconds[0])
+            frames = (seconds - start) * rate + 1.0
         if frames is None:
             frames = np.arange(1.0, len(array) + 1.0)
-        return cls._of(array, rate, frames, up)
+        return cls._of(array, rate, frames, up, losses, start)
 
     @classmethod
     def from_quaternions(
@@ -383,7 +403,9 @@ class Samples:
     def __getitem__(self, index: int | slice) -> Self | Array:
         """A row of ten numbers; for a slice, samples that share the array."""
         if isinstance(index, slice):
-            return self._of(self.array[index], self.fps, self.frames[index], self.world_up)
+            return self._of(
+                self.array[index], self.fps, self.frames[index], self.world_up, self.losses, self.start
+            )
         row: Array = self.array[operator.index(index)]
         return row
 
