@@ -36,7 +36,7 @@ fn losses_are_told_before_a_file_is_written() {
         assert!(!file.exists());
         let asked = window.query_by_label_contains(match language {
             Language::English => "the field of view is left out",
-            Language::German => "der Blickwinkel bleibt weg",
+            Language::German => "der Bildwinkel bleibt weg",
         });
         assert!(asked.is_some());
         click(&mut window, texts.questions.cancel);

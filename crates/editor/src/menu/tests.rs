@@ -10,7 +10,7 @@ use crate::tests::*;
 #[test]
 fn the_output_field_shows_position_and_orientation() {
     let window = window(Language::German);
-    let words = "Punkt 1 · Position −0,600 0,200 0,800 · Blick 0,000 0,000 −1,000 · Winkel 0,0° · Zoom 24,0";
+    let words = "Punkt 1 · Position −0,600 0,200 0,800 · Blick 0,000 0,000 −1,000 · Rollen 0,0° · Zoom 24,0";
     assert!(window.query_by_label(words).is_some());
     let window = crate::tests::window(Language::English);
     let words =

@@ -112,7 +112,7 @@ fn tab_goes_from_field_to_field_and_applies() {
 #[test]
 fn arrows_step_a_number() {
     let mut window = window(Language::German);
-    window.get_by_label("Winkel").click();
+    window.get_by_label("Rollen").click();
     window.run();
     press(&mut window, Modifiers::NONE, Key::ArrowUp);
     press(&mut window, Modifiers::NONE, Key::ArrowUp);
@@ -286,7 +286,7 @@ fn undo_and_redo_say_when_there_is_nothing() {
 #[test]
 fn an_orientation_is_copied_and_pasted() {
     let mut window = window(Language::German);
-    enter(&mut window, "Winkel", "45");
+    enter(&mut window, "Rollen", "45");
     // One event, so that the step shows what came of it.
     let pressed = |key| egui::Event::Key {
         key,

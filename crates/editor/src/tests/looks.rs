@@ -194,7 +194,7 @@ fn columns_do_not_jump() {
     assert_eq!(before.len(), 9, "{before:?}");
     for (name, text) in [
         ("Position x", "0,777"),
-        ("Winkel", "-123,4"),
+        ("Rollen", "-123,4"),
         ("Zoomwert", "8"),
     ] {
         enter(&mut window, name, text);
