@@ -54,17 +54,35 @@ fn what_is_planned_in_the_corpus_is_in_order() {
 #[test]
 fn whatever_is_to_be_planned_is_refused_or_in_order() {
     let count = std::env::var("VIDES_PATHS").map_or(120, |count| count.parse().unwrap());
-    let (mut state, mut made) = (7_u64, 0);
+    let (mut random, mut made) = (random(), 0);
     for case in 0..count {
-        let mut bytes = [0; 160];
-        for byte in &mut bytes {
-            state = state
-                .wrapping_mul(6_364_136_223_846_793_005)
-                .wrapping_add(1_442_695_040_888_963_407);
-            *byte = (state >> 56) as u8;
-        }
+        let bytes: Vec<u8> = random.by_ref().take(160).collect();
         println!("case {case}: {bytes:?}");
         made += usize::from(planner::check(&bytes));
     }
     assert!(made * 5 > count, "{made} of {count} were made");
+}
+
+/// Recordings of pseudo-random bytes.
+#[test]
+fn whatever_is_recorded_is_fitted_or_refused() {
+    let count = std::env::var("VIDES_PATHS").map_or(120, |count| count.parse().unwrap());
+    let (mut random, mut made) = (random(), 0);
+    for case in 0..count {
+        let mut bytes: Vec<u8> = random.by_ref().take(800).collect();
+        bytes[0] = 255;
+        println!("case {case}: {bytes:?}");
+        made += usize::from(planner::check(&bytes));
+    }
+    assert!(made * 5 > count, "{made} of {count} were made");
+}
+
+fn random() -> impl Iterator<Item = u8> {
+    let next = |state: &u64| {
+        let next = state.wrapping_mul(6_364_136_223_846_793_005);
+        Some(next.wrapping_add(1_442_695_040_888_963_407))
+    };
+    std::iter::successors(Some(7_u64), next)
+        .skip(1)
+        .map(|state| (state >> 56) as u8)
 }

@@ -2,7 +2,7 @@
 //! tests and, by path, by the fuzzer in `fuzz/`, so that both ask the same.
 
 use vides::document::Document;
-use vides::glam::DVec3;
+use vides::glam::{DQuat, DVec3, EulerRot};
 use vides::path::{CameraPath, CurveKind, Pose, SupportPoint, Target, Up};
 use vides::planner::{
     AvoidRequest, PictureRequest, Request, SteadyRequest, TourRequest, What, avoid_object,
@@ -11,6 +11,7 @@ use vides::planner::{
 use vides::scene::Mesh;
 use vides::tools::check::{FindingKind, Limits};
 use vides::tools::clearance::Clearance;
+use vides::tools::fit::{Options, Tolerance, fit};
 
 /// Times that a planner is let go on.
 const PATIENCE: usize = 20_000;
@@ -118,6 +119,74 @@ impl Given<'_> {
         }
     }
 
+    /// A recording is fitted: with finite poses at times that do not run backwards it never fails,
+    /// unless so many poses are outliers that a robust fit leaves nothing.
+    fn recording(&mut self) -> bool {
+        let count = self.below(80);
+        let mut poses = Vec::new();
+        let mut times = Vec::new();
+        let mut time = 10.0 * self.number();
+        let mut place = self.place();
+        let mut turn = DQuat::IDENTITY;
+        for _ in 0..count {
+            match self.below(8) {
+                // It rests, goes on, jumps.
+                0 | 1 => {}
+                2 if self.below(8) == 0 => place = self.place(),
+                _ => {
+                    let step = [(); 3].map(|()| f64::from(self.byte()) - 128.0);
+                    place += DVec3::from(step) / 3200.0;
+                }
+            }
+            if self.below(3) == 0 {
+                let [yaw, pitch, roll] = [(); 3].map(|()| f64::from(self.byte()) / 128.0);
+                turn *= DQuat::from_euler(EulerRot::YXZ, yaw - 1.0, pitch - 1.0, roll - 1.0);
+            }
+            let zoom = match self.below(256) {
+                0 => 30.0 * self.size(),
+                zoom => 24.0 + zoom as f64 / 64.0,
+            };
+            poses.push(Pose::new(place, turn.normalize(), zoom));
+            times.push(time);
+            time += match self.below(256) {
+                0 => self.number(),
+                step => [0.0, 0.04, 1.0 / 30.0, 0.001, 0.05, 0.04, 3.0, 1e-7][step % 8],
+            };
+        }
+        let fps = [25.0, 30.0, 15.0 * self.size()][self.below(3)];
+        let tolerance = Tolerance {
+            position: [0.01, 0.001, self.size()][self.below(3)],
+            angle: [0.5, 10.0 * self.size()][self.below(2)],
+        };
+        let options = Options {
+            robust: self.below(2) == 1,
+            ..Options::from(tolerance)
+        };
+        let seconds = (self.below(4) > 0).then_some(times.as_slice());
+        let mut calls = 0;
+        let go_on = &mut |_, _| {
+            calls += 1;
+            calls < PATIENCE
+        };
+        let made = fit(&poses, seconds, fps, &options, go_on);
+        // A robust fit that would leave out too many says so.
+        let usual = count >= 2
+            && !options.robust
+            && tolerance.check().is_ok()
+            && (1.0..=1000.0).contains(&fps)
+            && place.abs().max_element() < 1e3
+            && poses.iter().all(|pose| {
+                (1.0..=2000.0).contains(&pose.zoom) && pose.position().abs().max_element() < 1e3
+            })
+            && times.iter().all(|time| time.abs() < 1e3)
+            && times.is_sorted();
+        match &made {
+            Ok(made) => assert!(made.path.points.len() <= count.max(2), "{made:?}"),
+            Err(error) => assert!(!usual || calls >= PATIENCE, "{error}: {poses:?} {times:?}"),
+        }
+        done(made.map(|made| made.path))
+    }
+
     fn limits(&mut self) -> Limits {
         let mut limits = Limits::default();
         for kind in FindingKind::all() {
@@ -137,7 +206,11 @@ impl Given<'_> {
 /// If any of that does not hold.
 pub(crate) fn check(bytes: &[u8]) -> bool {
     let mut given = Given(bytes.iter());
-    let which = given.below(5);
+    // The last of the first bytes are a recording; the others are as the files of the corpus have them.
+    let which = match given.byte() {
+        240.. => return given.recording(),
+        byte => usize::from(byte) % 5,
+    };
     let (path, mesh, limits) = (given.path(), given.mesh(), given.limits());
     let fps = [25.0, 15.0 * given.size()][given.below(2)];
     let mut calls = 0;
