@@ -124,7 +124,7 @@ german! {
         NoUpPath => "diese Bahn für oben steht nicht weiter oben in der Datei";
         PartTwice => "ein Teil gehört zu einem Ganzen";
         PartWithoutWhole => "ein Teil braucht sein Ganzes: speed_curve, ease, distance oder track";
-        NoneFacing => "nur zehn Geschwindigkeiten haben Nachbarn";
+        NoSlopes => "nur zehn Geschwindigkeiten haben Steigungen an ihren Enden";
         Scene(nodes) => "das ist eine Szene mit {nodes} Knoten, kein Pfad allein";
         KeyOfPath(key) => "in einer Szene gehört „{key}“ zum Pfad eines Knotens";
         Marker => "eine Marke hat einen Namen (name) und ein Bild (frame)";
