@@ -3063,7 +3063,8 @@ int v_quat_tcb_spline(const double *keys,
 /**
  * Gets, at u from 0 to 1, the speed and the fraction of the distance on the speed
  * curve of a section: ten speeds from 1 to 100 at u = 0, 1/9, ... 1, smoothly joined,
- * never leaving 1 to 100.
+ * never leaving 1 to 100. (On a path, where the adjacent speed is equal to that of the
+ * section, the acceleration is joined too, which depends on more of both sections.)
  *
  * before, after  the adjacent speed of the section before and after; NULL: no section
  * V_ERR_ARGUMENT, V_ERR_RANGE.

@@ -276,7 +276,7 @@ fn turning_about_one_axis_is_a_curve_on_a_line() {
         let control = half_yaws(&half, &times, &shapes);
         let poses = all_poses(&sampler);
         for (k, section) in sections.iter().enumerate() {
-            let curve = timeline.speed_curve(&path, k);
+            let curve = timeline.speed_curve(&path, k).unwrap();
             for n in 1..section.frames {
                 let x = curve.fraction(n as f64 / section.frames as f64);
                 let y = 1.0 - x;

@@ -9,7 +9,7 @@ use vides::document::{Document, Info};
 use vides::formats::{Options, by_name, export_to};
 use vides::path::arc_length::ArcLength;
 use vides::path::hermite::Cubic;
-use vides::path::speed_curve::SpeedCurve;
+use vides::path::speed_curve::{CurveEnd, SpeedCurve};
 use vides::path::{CameraPath, Change, CurveParameters, Pose, Target};
 
 fn vector() -> impl Strategy<Value = DVec3> {
@@ -89,7 +89,7 @@ proptest! {
         before in prop::option::of(1.0..100.0f64),
         after in prop::option::of(1.0..100.0f64),
     ) {
-        let curve = SpeedCurve::new(&speeds, before, after);
+        let curve = SpeedCurve::new(&speeds, [before, after].map(CurveEnd::from));
         let mut last = 0.0;
         for (i, c) in curve.fraction_coefficients().iter().enumerate() {
             for k in 0..=50 {
@@ -379,7 +379,7 @@ fn distances_follow_the_speed_curve() {
             }
             let curve = timeline.curve(section.point);
             let arc = ArcLength::new(curve).unwrap();
-            let speed = timeline.speed_curve(&path, index);
+            let speed = timeline.speed_curve(&path, index).unwrap();
             let first = sampler.first_frame(index) - 1;
             for n in 1..section.frames {
                 let u = n as f64 / section.frames as f64;

@@ -14,7 +14,7 @@ use crate::error::vec_with_room;
 use crate::limits;
 use crate::path::Tcb;
 use crate::path::quaternion_spline;
-use crate::path::speed_curve::SpeedCurve;
+use crate::path::speed_curve::{CurveEnd, SpeedCurve};
 
 /// Keys and their times from C.
 ///
@@ -102,7 +102,8 @@ pub unsafe extern "C" fn v_quat_tcb_spline(
 ///
 /// Gets, at u from 0 to 1, the speed and the fraction of the distance on the speed
 /// curve of a section: ten speeds from 1 to 100 at u = 0, 1/9, ... 1, smoothly joined,
-/// never leaving 1 to 100.
+/// never leaving 1 to 100. (On a path, where the adjacent speed is equal to that of the
+/// section, the acceleration is joined too, which depends on more of both sections.)
 ///
 /// before, after  the adjacent speed of the section before and after; NULL: no section
 /// V_ERR_ARGUMENT, V_ERR_RANGE.
@@ -136,7 +137,7 @@ pub unsafe extern "C" fn v_speed_curve(
         for (value, name) in [(before, "before"), (after, "after")] {
             value.map_or(Ok(()), |value| check_speed(value, name))?;
         }
-        let curve = SpeedCurve::new(&speed, before, after);
+        let curve = SpeedCurve::new(&speed, [before, after].map(CurveEnd::from));
         // SAFETY: room for a double each, as the header says.
         unsafe {
             at_u.write(curve.speed(u));

@@ -284,8 +284,7 @@ impl Raw {
         let x = self.x;
         let of_speeds = PaceSource::Speeds {
             speeds: self.orientation().speeds,
-            before: self.flag.then_some(1.0 + 50.0 * x[0].abs()),
-            after: None,
+            slopes: [50.0 * x[0], 0.0],
         };
         let ease = Ease {
             kind: EaseKind::ALL[self.a % 2],

@@ -312,7 +312,9 @@ def position_curve(points, tcbs, closed):
 
 
 class SpeedCurve:
-    def __init__(self, v, before, after):
+    """`before` and `after` are facing speeds or None; `start` and `end` the slopes at joints, or None."""
+
+    def __init__(self, v, before, after, start=None, end=None):
         self.v = v = [mpf(x) for x in v]
         h = self.h = mpf(1) / 9
         m = [mpf(0)] * 10
@@ -320,6 +322,8 @@ class SpeedCurve:
             m[j] = (v[j + 1] - v[j - 1]) / (2 * h)
         m[0] = (-3 * v[0] + 4 * v[1] - v[2]) / (2 * h) if before is None else (v[1] - before) / (2 * h)
         m[9] = (3 * v[9] - 4 * v[8] + v[7]) / (2 * h) if after is None else (after - v[8]) / (2 * h)
+        m[0] = m[0] if start is None else start
+        m[9] = m[9] if end is None else end
         for j in range(10):
             low, high = (1 - v[j]) * 3 / h, (100 - v[j]) * 3 / h
             if j < 9:  # v + m h/3
@@ -344,6 +348,28 @@ class SpeedCurve:
             return mpf(1)
         j = int(mp.floor(u * 9))
         return (self.cumulative[j] + self._part(j, u * 9 - j)) / self.mean
+
+
+class Joint:
+    """The change of the speed per frame at the instant between two sections whose facing speeds are
+    equal: that of the parabola through the values around it, at the frames at which they would be
+    were the ten of either section joined by straight lines; no larger than 3/2 of a step beside it."""
+
+    def __init__(self, before, after):
+        far, at, near = before.speeds[8], before.speeds[9], after.speeds[1]
+        left, right = before.straight / 9, after.straight / 9
+        # Lagrange's polynomial through (-left, far), (0, at), (right, near), derived at 0.
+        parabola = (
+            -far * right / (left * (left + right))
+            + at * (right - left) / (left * right)
+            + near * left / (right * (left + right))
+        )
+        steps = [(at - far) / left, (near - at) / right]
+        if steps[0] * steps[1] <= 0:
+            self.acceleration = mpf(0)
+        else:
+            most = 3 * min(abs(step) for step in steps) / 2
+            self.acceleration = min(max(parabola, -most), most)
 
 
 # ------------------------------------------------------------ monotone cubic
@@ -503,19 +529,49 @@ class Path:
 
     def speeds_and_times(self):
         n = len(self.sections)
+        for s in self.sections:
+            s.speeds = [mpf(x) for x in s.start.o["speeds"]]
+            s.work = s.amount * s.base * 50
+            lines = [(a + b) / 2 for a, b in zip(s.speeds, s.speeds[1:])]
+            s.straight = s.work / (mp.fsum(lines) / 9)
+        # joints[i] is between section i and the next.
+        joints = [None] * n
+        for i in range(n if self.closed else n - 1):
+            s, t = self.sections[i], self.sections[(i + 1) % n]
+            if s.speeds[9] == t.speeds[0] and t.start.o["hold"] == 0:
+                joints[i] = Joint(s, t)
         self.times = [mpf(0)]
         for i, s in enumerate(self.sections):
             before = after = None
             if self.closed or i > 0:
-                before = mpf(self.sections[i - 1].start.o["speeds"][9])
+                before = self.sections[i - 1].speeds[9]
             if self.closed or i < n - 1:
-                after = mpf(self.sections[(i + 1) % n].start.o["speeds"][0])
-            s.curve = SpeedCurve(s.start.o["speeds"], before, after)
-            exact = s.amount * s.base * 50 / s.curve.mean
+                after = self.sections[(i + 1) % n].speeds[0]
+            exact = self.frames_of(s, before, after, joints[i - 1], joints[i])
             assert abs(exact - mp.floor(exact) - 0.5) > mpf("1e-6"), ("rounding tie", self.case["name"], i)
             s.frames = max(1, int(mp.floor(exact + mpf(0.5))))
             s.dt = s.frames * s.curve.mean / 50
             self.times.append(self.times[-1] + s.dt)
+
+    def frames_of(self, s, before, after, start, end):
+        """The frames of a section, whose curve has the slopes at its joints if it lasts so long."""
+
+        def left(frames):
+            slopes = [None if joint is None else joint.acceleration * frames for joint in (start, end)]
+            s.curve = SpeedCurve(s.speeds, before, after, *slopes)
+            return s.work - frames * s.curve.mean
+
+        if start is None and end is None:
+            left(mpf(0))
+            return s.work / s.curve.mean
+        low, high = s.straight / 2, 2 * s.straight
+        assert left(low) > 0 > left(high)
+        for _ in range(140):
+            middle = (low + high) / 2
+            low, high = (middle, high) if left(middle) > 0 else (low, middle)
+        assert all(joint is None or abs(m - joint.acceleration * high) < mpf("1e-30")
+                   for joint, m in ((start, s.curve.m[0]), (end, s.curve.m[9]))), "clipped"  # fmt: skip
+        return high
 
     # ---- zoom
 

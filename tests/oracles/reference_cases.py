@@ -223,6 +223,24 @@ def short_cases():
         p["orientations"][0]["speeds"] = c
     yield path("speed_curves", "Unequal speed curves, some clipped at 1 and 100.", fast, wanted=170)
     yield path("speed_curves_closed", "The same on a closed path.", fast, closed=True, wanted=100)
+    ramps = [
+        [20 + 30 * k / 9 for k in range(10)], [50 + 30 * k / 9 for k in range(10)], [80] * 10,
+        [80, 79, 75, 68, 59, 50, 42, 36, 32, 30], [30, 31, 90, 20, 50, 50, 40, 35, 30, 1], EASE_IN, EASE_OUT,
+        [1, 2, 2, 5, 9, 20, 20, 20, 20, 20],
+    ]  # fmt: skip
+    corners = [(0, 0, 0), (0.4, 0.1, 0), (0.9, 0.3, 0.2), (0.8, 0.7, 0.1), (0.3, 0.6, -0.4), (-0.5, 0.2, -0.3)]
+    for closed in (False, True):
+        joined = [point(c, view(LOOKS[k % 5], zoom=20 + 5 * k, speeds=ramps[k])) for k, c in enumerate(corners)]
+        # Two more at the last point: a joint of a move and a turn, and one at which the camera rests.
+        joined[5]["orientations"] += [
+            view(LOOKS[1], speeds=ramps[6]), view(LOOKS[2], speeds=ramps[7], hold=2),
+            view(LOOKS[3], speeds=ramps[0]),
+        ]  # fmt: skip
+        yield path(
+            "speed_joints_closed" if closed else "speed_joints",
+            "Equal facing speeds: the acceleration is continuous.", joined,
+            closed=closed, speeds=(170, 120, 100, 100), wanted=150,
+        )  # fmt: skip
     yield path(
         "speed_extremes", "100, 1, 1, 100 and the like, looked at closely.",
         [

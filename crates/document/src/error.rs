@@ -315,8 +315,8 @@ pub enum Malformed {
     PartTwice,
     #[error("a part needs its whole: speed_curve, ease, distance or track")]
     PartWithoutWhole,
-    #[error("only ten speeds have others that face them")]
-    NoneFacing,
+    #[error("only ten speeds have slopes at their ends")]
+    NoSlopes,
 
     // Scenes.
     #[error("this is a scene with {0} nodes, not a path alone")]

@@ -4,7 +4,8 @@ pub(crate) mod planned;
 
 use glam::DVec3;
 use vides_engine::error::Invalid;
-use vides_engine::path::{Ease, EaseKind, Section, Timing, timing};
+use vides_engine::path::joint::Neighbour;
+use vides_engine::path::{Ease, EaseKind, Section, timing};
 use vides_engine::tools::check::{Finding, FindingKind};
 use vides_engine::tools::clearance::Clearance;
 use vides_engine::tools::fit::Progress;
@@ -183,13 +184,12 @@ impl Document {
             let number = timeline.section_from(finding.point, finding.orientation)?;
             let mut all = (0..number).rev().map(|k| (k, timeline.section(k)));
             let (k, before) = all.find(|(_, section)| section.frames > 0)?;
-            let facing = [
-                timeline.facing_speeds(path, k).0,
-                timeline.facing_speeds(path, number).1,
-            ];
-            Some(([before, timeline.section(number)], facing))
+            let work = [k, number].map(|at| timeline.neighbour(path, at).work);
+            let [first, _] = timeline.neighbours(path, k);
+            let [_, last] = timeline.neighbours(path, number);
+            Some(([before, timeline.section(number)], work, [first, last]))
         })?;
-        let Some((sections, facing)) = found else {
+        let Some((sections, work, outer)) = found else {
             return Ok(Vec::new());
         };
         let mut ends = sections.map(|s| path.points[s.point].orientations[s.orientation].clone());
@@ -208,7 +208,7 @@ impl Document {
                 }
             }
         } else {
-            join(&mut ends, &sections, facing)?;
+            join(&mut ends, &sections, work, outer)?;
         }
         let mut edits = Vec::new();
         for (orientation, section) in ends.into_iter().zip(sections) {
@@ -357,11 +357,12 @@ fn come_to_rest(orientation: &mut Orientation, side: usize) -> Result<()> {
 }
 
 /// Brings the speeds with which one section ends and the next begins to one between them; of
-/// speeds that are not ten to choose, to those. `facing` are the speeds at the other ends.
+/// speeds that are not ten to choose, to those. `outer` are what lies beyond the other ends.
 fn join(
     ends: &mut [Orientation; 2],
     sections: &[Section; 2],
-    facing: [Option<f64>; 2],
+    work: [f64; 2],
+    [first, last]: [Option<Neighbour<'_>>; 2],
 ) -> Result<()> {
     let free = [0, 1].map(|side| matches!(ends[side].own.pace, Pace::Speeds));
     let begun = ends.clone();
@@ -369,9 +370,16 @@ fn join(
     for _ in 0..ROUNDS {
         let met = [timing::facing(&ends[0])[1], timing::facing(&ends[1])[0]];
         let mut scale = [0.0; 2];
+        let [one, other] = [0, 1].map(|side| Neighbour {
+            orientation: &ends[side],
+            work: work[side],
+        });
         for side in 0..2 {
-            let (before, after) = [(facing[0], Some(met[1])), (Some(met[0]), facing[1])][side];
-            let mean = Timing::new(&ends[side], before, after)?.mean();
+            let timing = match side {
+                0 => one.timing(first, Some(other)),
+                _ => other.timing(Some(one), last),
+            };
+            let mean = timing?.mean();
             let section = &sections[side];
             let fixed = ends[side].own.frames > 0;
             // The way in one frame at speed 1.

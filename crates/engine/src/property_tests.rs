@@ -15,8 +15,7 @@ fn value(kind: Kind) -> Value {
     let part = PacePart {
         of: PaceSource::Speeds {
             speeds: [33.0; limits::SPEEDS],
-            before: None,
-            after: Some(7.0),
+            slopes: [0.0, 7.0],
         },
         from: 0.0,
         to: 0.5,

@@ -12,6 +12,7 @@ use crate::named::keys;
 use vides_engine::limits;
 use vides_engine::path::camera_path::check_curve_speed;
 use vides_engine::path::own::{check_distance, check_track};
+use vides_engine::path::speed_curve::{CurveEnd, end_slopes};
 use vides_engine::path::{
     BaseFrames, Ease, EaseKind, Orientation, OrientationOverrides, PacePart, PaceSource, Space,
     Tcb, TurningPart, UpPath, UpPathPoint, UpVector,
@@ -215,8 +216,7 @@ fn distance_keys<const N: usize>(
 
 fn pace_part(table: Field<'_>) -> Result<PacePart> {
     let (mut from, mut to) = (0.0, 1.0);
-    let (mut facing_before, mut facing_after) = (None, None);
-    let mut of = None;
+    let (mut of, mut ends) = (None, None);
     let mut whole = |field: Field<'_>, whole| {
         if of.replace(whole).is_some() {
             return Err(field.error(Malformed::PartTwice));
@@ -227,20 +227,12 @@ fn pace_part(table: Field<'_>) -> Result<PacePart> {
         match field.key {
             "from" => from = field.number()?,
             "to" => to = field.number()?,
-            "facing_before" => facing_before = Some(field.number()?),
-            "facing_after" => facing_after = Some(field.number()?),
+            "slopes" => ends = Some(field.numbers()?),
             "speed_curve" => {
                 let speeds: [f64; limits::SPEEDS] = field.numbers()?;
                 field.checked(speeds.into_iter().try_for_each(check_curve_speed))?;
-                let (before, after) = (None, None);
-                whole(
-                    field,
-                    PaceSource::Speeds {
-                        speeds,
-                        before,
-                        after,
-                    },
-                )?;
+                let slopes = end_slopes(&speeds, [CurveEnd::Free; 2]);
+                whole(field, PaceSource::Speeds { speeds, slopes })?;
             }
             "ease" => whole(field, PaceSource::Ease(ease(field)?))?,
             "distance" => {
@@ -255,8 +247,7 @@ fn pace_part(table: Field<'_>) -> Result<PacePart> {
                     "from",
                     "to",
                     "speed_curve",
-                    "facing_before",
-                    "facing_after",
+                    "slopes",
                     "ease",
                     "distance",
                 ]));
@@ -266,14 +257,10 @@ fn pace_part(table: Field<'_>) -> Result<PacePart> {
     let Some(mut of) = of else {
         return Err(table.error(Malformed::PartWithoutWhole));
     };
-    match &mut of {
-        PaceSource::Speeds { before, after, .. } => {
-            (*before, *after) = (facing_before, facing_after)
-        }
-        _ if facing_before.or(facing_after).is_some() => {
-            return Err(table.error(Malformed::NoneFacing));
-        }
-        _ => {}
+    match (&mut of, ends) {
+        (_, None) => {}
+        (PaceSource::Speeds { slopes, .. }, Some(ends)) => *slopes = ends,
+        _ => return Err(table.error(Malformed::NoSlopes)),
     }
     let part = PacePart { of, from, to };
     table.checked(part.check())?;

@@ -222,8 +222,7 @@ fn speeds_near_a_part_of_a_pace_are_dragged_too() {
     harness.state_mut().document.select(2, 0).unwrap();
     let of = path::own::PaceSource::Speeds {
         speeds: harness.state().orientation().unwrap().speeds,
-        before: None,
-        after: None,
+        slopes: [0.0; 2],
     };
     let (from, to) = (0.0, 0.5);
     let part = path::Pace::Part(path::own::PacePart { of, from, to });

@@ -106,7 +106,7 @@ german! {
         NoUpPath;
         PartTwice;
         PartWithoutWhole;
-        NoneFacing;
+        NoSlopes;
         Scene(nodes) => nodes;
         KeyOfPath(key) => key;
         Marker;

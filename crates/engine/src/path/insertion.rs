@@ -18,6 +18,7 @@ use super::orientation_curve::{Rates, rates};
 use super::own::{Pace, PacePart, PaceSource, Tangents, TurningPart, Velocities};
 use super::sampling::{Layout, Sampler, zoom_slopes};
 use super::section_sampler::SectionSampler;
+use super::speed_curve::{CurveEnd, end_slopes};
 use super::timeline::Timeline;
 use super::timing::Timing;
 use super::turning::Turning;
@@ -73,7 +74,7 @@ pub fn on_curve(path: &CameraPath, frame: f64) -> Result<Insertion> {
     let here = &mut new.points[begin.point].orientations[begin.orientation];
     let timing = timeline.timing(path, section)?;
     let old = &path.points[begin.point].orientations[begin.orientation];
-    let whole = (timeline.facing_speeds(path, section), old);
+    let whole = (timeline.curve_ends(path, section)?, old);
     take_part(here, whole, &timing, [0.0, u])?;
     let phi = sampled.phi(u);
     let turning = turning_part(&sampled.turning, [0.0, phi]);
@@ -262,7 +263,7 @@ fn divide(
         })?,
     };
     let timing = timeline.timing(path, section)?;
-    let whole = (timeline.facing_speeds(path, section), old);
+    let whole = (timeline.curve_ends(path, section)?, old);
     take_part(&mut orientation, whole, &timing, [u, 1.0])?;
     let turning = turning_part(&sampled.turning, [phi, 1.0]);
     let time = old.own.curve_time;
@@ -300,7 +301,7 @@ fn divide(
 /// Gives an orientation a part of the pace of `old`'s section, and ten speeds near to that.
 fn take_part(
     to: &mut Orientation,
-    ((before, after), old): ((Option<f64>, Option<f64>), &Orientation),
+    (ends, old): ([CurveEnd; 2], &Orientation),
     timing: &Timing,
     [from, end]: [f64; 2],
 ) -> Result<()> {
@@ -317,8 +318,7 @@ fn take_part(
     let pace = match &old.own.pace {
         Pace::Speeds => part(PaceSource::Speeds {
             speeds: old.speeds,
-            before,
-            after,
+            slopes: end_slopes(&old.speeds, ends),
         }),
         Pace::Ease(ease) => part(PaceSource::Ease(*ease)),
         Pace::Distance(keys) => part(PaceSource::Distance(keys.clone())),

@@ -35,6 +35,7 @@ pub mod fit_frames;
 mod frenet;
 pub mod hermite;
 pub mod insertion;
+pub mod joint;
 pub mod kochanek_bartels;
 mod modes;
 mod motion;

@@ -34,14 +34,12 @@ impl Tangents {
 /// The pace that a [`PacePart`] is taken from.
 #[derive(Debug, Clone, PartialEq)]
 pub enum PaceSource {
-    /// Ten speeds, each 1…100, and the speeds that faced them, if any.
+    /// Ten speeds, each 1…100, and the slopes of their curve at both ends.
     Speeds {
         /// The ten.
         speeds: [f64; limits::SPEEDS],
-        /// The speed that faced the first.
-        before: Option<f64>,
-        /// The speed that faced the last.
-        after: Option<f64>,
+        /// Change of the speed by the share of the time, as the neighbours had made it.
+        slopes: [f64; 2],
     },
     /// Speeding up, cruising and slowing down.
     Ease(Ease),
@@ -70,14 +68,11 @@ impl PacePart {
     /// [`crate::Error::Range`] or [`crate::Error::Argument`].
     pub fn check(&self) -> Result<()> {
         match &self.of {
-            PaceSource::Speeds {
-                speeds,
-                before,
-                after,
-            } => {
-                let facing = [before, after].into_iter().flatten();
-                let mut all = speeds.iter().chain(facing);
-                all.try_for_each(|speed| check_curve_speed(*speed))?;
+            PaceSource::Speeds { speeds, slopes } => {
+                speeds
+                    .iter()
+                    .try_for_each(|speed| check_curve_speed(*speed))?;
+                check_rates(slopes)?;
             }
             PaceSource::Ease(ease) => ease.check()?,
             PaceSource::Distance(keys) => check_distance(keys)?,
@@ -90,8 +85,13 @@ impl PacePart {
 impl SameBits for PaceSource {
     fn same_bits(&self, other: &Self) -> bool {
         match (self, other) {
-            // Speeds are ≥ 1, so `==` is bitwise there.
-            (Self::Speeds { .. }, Self::Speeds { .. }) => self == other,
+            (
+                Self::Speeds { speeds, slopes },
+                Self::Speeds {
+                    speeds: ten,
+                    slopes: two,
+                },
+            ) => speeds.same_bits(ten) && slopes.same_bits(two),
             (Self::Ease(a), Self::Ease(b)) => a.same_bits(b),
             (Self::Distance(a), Self::Distance(b)) => a.same_bits(b),
             (Self::Track(a), Self::Track(b)) => a.same_bits(b),

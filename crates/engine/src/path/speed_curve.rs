@@ -7,6 +7,23 @@ use crate::math::monotone_cubic::{slope, value};
 /// Intervals between the ten speeds.
 pub const INTERVALS: usize = SPEEDS - 1;
 
+/// What shapes a speed curve at one of its ends.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum CurveEnd {
+    /// Nothing lies beyond: it has the slope of the parabola through three speeds.
+    Free,
+    /// The facing speed, 1/9 outside.
+    Facing(f64),
+    /// Its slope, v′.
+    Slope(f64),
+}
+
+impl From<Option<f64>> for CurveEnd {
+    fn from(facing: Option<f64>) -> Self {
+        facing.map_or(Self::Free, Self::Facing)
+    }
+}
+
 /// A speed curve and its integral.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SpeedCurve {
@@ -22,11 +39,10 @@ impl SpeedCurve {
         self.speed.iter()
     }
 
-    /// The curve through `speeds`, each in [1, 100]. `before` and `after` are the facing speeds,
-    /// 1/9 outside; without one the end has the slope of the parabola through three speeds.
+    /// The curve through `speeds`, each in [1, 100].
     #[must_use]
-    pub fn new(speeds: &[f64; SPEEDS], before: Option<f64>, after: Option<f64>) -> Self {
-        let slopes = slopes(speeds, before, after);
+    pub fn new(speeds: &[f64; SPEEDS], ends: [CurveEnd; 2]) -> Self {
+        let slopes = slopes(speeds, ends);
         let mut areas = [0.0; INTERVALS];
         let mut speed = [[0.0; 4]; INTERVALS];
         for i in 0..INTERVALS {
@@ -110,22 +126,31 @@ fn interval(u: f64) -> (usize, f64) {
     (i, x - i as f64)
 }
 
+/// v′ at both ends.
+#[must_use]
+pub fn end_slopes(speeds: &[f64; SPEEDS], ends: [CurveEnd; 2]) -> [f64; 2] {
+    let [first, .., last] = slopes(speeds, ends);
+    [first, last].map(|slope| slope * INTERVALS as f64)
+}
+
 /// Slopes at the ten knots, per interval, clipped so that both inner Bézier points of every
 /// interval, and by their hull the curve, lie in [1, 100].
-fn slopes(v: &[f64; SPEEDS], before: Option<f64>, after: Option<f64>) -> [f64; SPEEDS] {
+fn slopes(v: &[f64; SPEEDS], ends: [CurveEnd; 2]) -> [f64; SPEEDS] {
     let last = SPEEDS - 1;
     let mut slopes = [0.0; SPEEDS];
     for i in 1..last {
         let room = 3.0 * (v[i] - MIN_SPEED).min(MAX_SPEED - v[i]);
         slopes[i] = ((v[i + 1] - v[i - 1]) / 2.0).clamp(-room, room);
     }
-    let start = match before {
-        Some(before) => (v[1] - before) / 2.0,
-        None => (-3.0 * v[0] + 4.0 * v[1] - v[2]) / 2.0,
+    let start = match ends[0] {
+        CurveEnd::Free => (-3.0 * v[0] + 4.0 * v[1] - v[2]) / 2.0,
+        CurveEnd::Facing(before) => (v[1] - before) / 2.0,
+        CurveEnd::Slope(slope) => slope / INTERVALS as f64,
     };
-    let end = match after {
-        Some(after) => (after - v[last - 1]) / 2.0,
-        None => (3.0 * v[last] - 4.0 * v[last - 1] + v[last - 2]) / 2.0,
+    let end = match ends[1] {
+        CurveEnd::Free => (3.0 * v[last] - 4.0 * v[last - 1] + v[last - 2]) / 2.0,
+        CurveEnd::Facing(after) => (after - v[last - 1]) / 2.0,
+        CurveEnd::Slope(slope) => slope / INTERVALS as f64,
     };
     slopes[0] = start.clamp(3.0 * (MIN_SPEED - v[0]), 3.0 * (MAX_SPEED - v[0]));
     slopes[last] = end.clamp(3.0 * (v[last] - MAX_SPEED), 3.0 * (v[last] - MIN_SPEED));
@@ -149,7 +174,7 @@ mod tests {
         let speeds = std::array::from_fn(|_| speed(random));
         let before = (random.unit() < 0.5).then(|| speed(random));
         let after = (random.unit() < 0.5).then(|| speed(random));
-        SpeedCurve::new(&speeds, before, after)
+        SpeedCurve::new(&speeds, [before, after].map(CurveEnd::from))
     }
 
     #[test]
@@ -208,24 +233,24 @@ mod tests {
         // The thesis's own bad example: 100, 1, 1, 100 gives −11.4 unclipped.
         let mut v = [50.0; 10];
         v[3..7].copy_from_slice(&[100.0, 1.0, 1.0, 100.0]);
-        let clipped = slopes(&v, None, None);
+        let clipped = slopes(&v, [CurveEnd::Free; 2]);
         assert_eq!(clipped[4..6], [0.0, 0.0]);
         let gentle = [40.0, 45.0, 52.0, 60.0, 55.0, 50.0, 50.0, 45.0, 42.0, 41.0];
-        let free = slopes(&gentle, Some(38.0), Some(44.0));
+        let free = slopes(&gentle, [38.0, 44.0].map(CurveEnd::Facing));
         for i in 1..9 {
             assert_eq!(free[i], (gentle[i + 1] - gentle[i - 1]) / 2.0);
         }
         assert_eq!(free[0], 3.5);
         assert_eq!(free[9], 1.0);
         assert_eq!(
-            slopes(&gentle, None, None)[0],
+            slopes(&gentle, [CurveEnd::Free; 2])[0],
             (-120.0 + 180.0 - 52.0) / 2.0
         );
     }
 
     #[test]
     fn constant_speed_is_a_straight_distance() {
-        let curve = SpeedCurve::new(&[50.0; 10], None, Some(50.0));
+        let curve = SpeedCurve::new(&[50.0; 10], [CurveEnd::Free, CurveEnd::Facing(50.0)]);
         assert_eq!(curve.mean(), 50.0);
         for k in 0..=1000 {
             let u = f64::from(k) / 1000.0;

@@ -10,10 +10,11 @@ use super::camera_path::{CameraPath, Orientation};
 use super::curve;
 use super::dispatch;
 use super::hermite::Cubic;
+use super::joint::Neighbour;
 use super::orientation_curve::Guides;
 use super::section::unrounded;
 pub use super::section::{Change, Section};
-use super::speed_curve::SpeedCurve;
+use super::speed_curve::{CurveEnd, SpeedCurve};
 use super::timing::{Timing, facing};
 use super::ups::{self, Alignment, rolled};
 use crate::error::{Result, TooMany, vec_with_room};
@@ -332,13 +333,56 @@ impl Timeline {
 
     /// The speed curve of a section, shaped by its neighbours'; without frames, as if it had some.
     ///
+    /// # Errors
+    /// [`crate::Error::Memory`].
+    ///
+    /// # Panics
+    /// If there is no such section.
+    pub fn speed_curve(&self, path: &CameraPath, section: usize) -> Result<SpeedCurve> {
+        let ends = self.curve_ends(path, section)?;
+        Ok(SpeedCurve::new(
+            &self.orientation_at(path, section).speeds,
+            ends,
+        ))
+    }
+
+    /// What shapes the curve of a section's ten speeds.
+    ///
+    /// # Errors
+    /// [`crate::Error::Memory`].
+    ///
+    /// # Panics
+    /// If there is no such section.
+    pub fn curve_ends(&self, path: &CameraPath, section: usize) -> Result<[CurveEnd; 2]> {
+        let [before, after] = self.neighbours(path, section);
+        self.neighbour(path, section).curve_ends(before, after)
+    }
+
+    /// A section as its neighbours see it.
+    ///
     /// # Panics
     /// If there is no such section.
     #[must_use]
-    pub fn speed_curve(&self, path: &CameraPath, section: usize) -> SpeedCurve {
-        let speeds = &self.orientation_at(path, section).speeds;
-        let (before, after) = self.facing_speeds(path, section);
-        SpeedCurve::new(speeds, before, after)
+    pub fn neighbour<'a>(&self, path: &'a CameraPath, section: usize) -> Neighbour<'a> {
+        let State { change, amount, .. } = self.sections[section];
+        Neighbour {
+            orientation: self.orientation_at(path, section),
+            work: unrounded(path, change, amount, 1.0),
+        }
+    }
+
+    /// The moving sections before and after one; `None` at the ends.
+    ///
+    /// # Panics
+    /// If there is no such section.
+    #[must_use]
+    pub fn neighbours<'a>(
+        &self,
+        path: &'a CameraPath,
+        section: usize,
+    ) -> [Option<Neighbour<'a>>; 2] {
+        let around = [self.moving_before(section), self.moving_after(section)];
+        around.map(|at| at.map(|at| self.neighbour(path, at)))
     }
 
     /// The pace of a section, shaped by its neighbours' where it goes by its ten speeds.
@@ -349,8 +393,8 @@ impl Timeline {
     /// # Panics
     /// If there is no such section.
     pub fn timing(&self, path: &CameraPath, section: usize) -> Result<Timing> {
-        let (before, after) = self.facing_speeds(path, section);
-        Timing::new(self.orientation_at(path, section), before, after)
+        let [before, after] = self.neighbours(path, section);
+        self.neighbour(path, section).timing(before, after)
     }
 
     /// Last speed of the moving section before this one and first of that after it; `None` at the
@@ -469,9 +513,8 @@ impl Timeline {
             ..state
         };
         if state.moves() {
-            let this = self.orientation_at(path, section);
-            let (before, after) = self.facing_speeds(path, section);
-            new = paced(path, state, this, before, after)?;
+            let around = self.neighbours(path, section);
+            new = paced(path, state, self.neighbour(path, section), around)?;
         }
         self.frames = self.frames - state.frames - state.hold + new.frames + new.hold;
         self.sections[section] = new;
@@ -481,44 +524,36 @@ impl Timeline {
     /// [`Self::pace`] for all sections in one pass over the path.
     fn pace_all(&mut self, path: &CameraPath) -> Result<()> {
         let mut before = if self.closed && !self.sections.is_empty() {
-            self.moving_before(0)
-                .map(|slot| self.orientation_at(path, slot))
+            self.moving_before(0).map(|slot| self.neighbour(path, slot))
         } else {
             None
         };
-        let first = self
-            .sections
-            .iter()
-            .position(State::moves)
-            .map(|slot| self.orientation_at(path, slot));
-        let wrap = if self.closed { first } else { None };
-        let mut pending: Option<(usize, &Orientation)> = None;
+        let first = self.sections.iter().position(State::moves);
+        let wrap = first.filter(|_| self.closed);
+        let wrap = wrap.map(|slot| self.neighbour(path, slot));
+        let mut pending: Option<(usize, Neighbour<'_>)> = None;
         self.frames = 1 + self.last_hold;
-        let mut finish = |sections: &mut [State],
-                          (slot, this): (usize, &Orientation),
-                          before: Option<&Orientation>,
-                          after: Option<&Orientation>|
-         -> Result<()> {
-            let before = before.map(|before| facing(before)[1]);
-            let after = after.map(|after| facing(after)[0]);
-            let new = paced(path, sections[slot], this, before, after)?;
-            self.frames += new.frames + new.hold;
-            sections[slot] = new;
+        let mut finish = |state: &mut State, this, around| -> Result<()> {
+            *state = paced(path, *state, this, around)?;
+            self.frames += state.frames + state.hold;
             Ok(())
         };
         let orientations = path.points.iter().flat_map(|point| &point.orientations);
-        for (slot, this) in orientations.enumerate().take(self.sections.len()) {
-            if !self.sections[slot].moves() {
+        for (slot, orientation) in orientations.enumerate().take(self.sections.len()) {
+            let State { change, amount, .. } = self.sections[slot];
+            if change == Change::Nothing {
                 continue;
             }
-            if let Some(done) = pending {
-                finish(&mut self.sections, done, before, Some(this))?;
-                before = Some(done.1);
+            let work = unrounded(path, change, amount, 1.0);
+            let this = Neighbour { orientation, work };
+            if let Some((slot, done)) = pending {
+                finish(&mut self.sections[slot], done, [before, Some(this)])?;
+                before = Some(done);
             }
             pending = Some((slot, this));
         }
-        if let Some(done) = pending {
-            finish(&mut self.sections, done, before, wrap)?;
+        if let Some((slot, done)) = pending {
+            finish(&mut self.sections[slot], done, [before, wrap])?;
         }
         Ok(())
     }
@@ -545,15 +580,16 @@ fn last_hold(path: &CameraPath) -> usize {
     last.map_or(0, |orientation| orientation.hold as usize)
 }
 
-/// The state of a section that begins with `this` and moves, between two facing speeds.
+/// The state of a section that moves, between two others.
 fn paced(
     path: &CameraPath,
     state: State,
-    this: &Orientation,
-    before: Option<f64>,
-    after: Option<f64>,
+    this: Neighbour<'_>,
+    [before, after]: [Option<Neighbour<'_>>; 2],
 ) -> Result<State> {
-    let (mean_speed, constant_speed) = Timing::outline(this, before, after)?;
+    let ends = this.curve_ends(before, after)?;
+    let this = this.orientation;
+    let (mean_speed, constant_speed) = Timing::outline(this, ends)?;
     let frames = match this.own.frames {
         0 => {
             let frames = unrounded(path, state.change, state.amount, mean_speed);

@@ -3,7 +3,7 @@
 use super::camera_path::Orientation;
 use super::ease::Ease;
 use super::own::{Pace, PacePart, PaceSource};
-use super::speed_curve::SpeedCurve;
+use super::speed_curve::{CurveEnd, SpeedCurve};
 use crate::error::{Result, vec_with_room};
 use crate::limits::{BASE_SPEED, MAX_DISTANCE_KEYS, MAX_SPEED, MIN_SPEED};
 use crate::math::monotone_cubic;
@@ -136,22 +136,20 @@ impl Course {
 }
 
 impl Timing {
-    /// The pace of an orientation's section; `before` and `after` are the speeds that face its ten.
+    /// The pace of an orientation's section; `ends` shape the curve of its ten speeds.
     ///
     /// # Errors
     /// [`crate::Error::Memory`].
-    pub fn new(orientation: &Orientation, before: Option<f64>, after: Option<f64>) -> Result<Self> {
+    pub fn new(orientation: &Orientation, ends: [CurveEnd; 2]) -> Result<Self> {
         let pace = &orientation.own.pace;
         let course = match pace {
-            Pace::Speeds => Course::Curve(SpeedCurve::new(&orientation.speeds, before, after)),
+            Pace::Speeds => Course::Curve(SpeedCurve::new(&orientation.speeds, ends)),
             Pace::Ease(ease) => Course::Ease(*ease),
             Pace::Distance(keys) => Course::Distance(pieces(keys)?),
             Pace::Part(part) => match &part.of {
-                PaceSource::Speeds {
-                    speeds,
-                    before,
-                    after,
-                } => Course::Curve(SpeedCurve::new(speeds, *before, *after)),
+                PaceSource::Speeds { speeds, slopes } => {
+                    Course::Curve(SpeedCurve::new(speeds, slopes.map(CurveEnd::Slope)))
+                }
                 PaceSource::Ease(ease) => Course::Ease(*ease),
                 PaceSource::Distance(keys) => Course::Distance(pieces(keys)?),
                 PaceSource::Track(keys) => Course::Distance(track_pieces(keys)?),
@@ -173,19 +171,15 @@ impl Timing {
     }
 
     /// Mean speed, and whether it is the same everywhere; mostly without taking memory.
-    pub(super) fn outline(
-        orientation: &Orientation,
-        before: Option<f64>,
-        after: Option<f64>,
-    ) -> Result<(f64, bool)> {
+    pub(super) fn outline(orientation: &Orientation, ends: [CurveEnd; 2]) -> Result<(f64, bool)> {
         match &orientation.own.pace {
             Pace::Speeds => {
-                let curve = SpeedCurve::new(&orientation.speeds, before, after);
+                let curve = SpeedCurve::new(&orientation.speeds, ends);
                 Ok((curve.mean(), curve.is_constant()))
             }
             Pace::Distance(_) => Ok((BASE_SPEED, false)),
             Pace::Ease(_) | Pace::Part(_) => {
-                let timing = Self::new(orientation, before, after)?;
+                let timing = Self::new(orientation, ends)?;
                 Ok((timing.mean(), timing.is_constant()))
             }
         }
@@ -296,18 +290,14 @@ pub fn facing(orientation: &Orientation) -> [f64; 2] {
         Pace::Ease(whole) => ease(whole, [0.0, 1.0]),
         Pace::Distance(keys) => distance(keys),
         Pace::Part(PacePart { of, from, to }) => match of {
-            PaceSource::Speeds {
-                speeds,
-                before,
-                after,
-            } => {
-                let curve = SpeedCurve::new(speeds, *before, *after);
+            PaceSource::Speeds { speeds, slopes } => {
+                let curve = SpeedCurve::new(speeds, slopes.map(CurveEnd::Slope));
                 [curve.speed(*from), curve.speed(*to)]
             }
             PaceSource::Ease(whole) => ease(whole, [*from, *to]),
             // Without memory for its pieces, the ten speeds come near.
             PaceSource::Distance(_) | PaceSource::Track(_) => {
-                match Timing::new(orientation, None, None) {
+                match Timing::new(orientation, [CurveEnd::Free; 2]) {
                     Ok(timing) => [0.0, 1.0].map(|u| seen(timing.speed(u))),
                     Err(_) => [first, last],
                 }
@@ -319,6 +309,7 @@ pub fn facing(orientation: &Orientation) -> [f64; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::path::speed_curve::end_slopes;
     use crate::path::test_support::Random;
     use crate::path::{EaseKind, own};
 
@@ -336,20 +327,17 @@ mod tests {
         for _ in 0..10_000 {
             let speeds = std::array::from_fn(|_| 1.0 + 99.0 * random.unit());
             let mut facing = || (random.unit() < 0.5).then_some(1.0 + 99.0 * random.unit());
-            let (before, after) = (facing(), facing());
-            let whole = SpeedCurve::new(&speeds, before, after);
+            let ends = [facing(), facing()].map(CurveEnd::from);
+            let whole = SpeedCurve::new(&speeds, ends);
+            let slopes = end_slopes(&speeds, ends);
             let cut = 0.01 + 0.98 * random.unit();
             let part = |from, to| PacePart {
-                of: PaceSource::Speeds {
-                    speeds,
-                    before,
-                    after,
-                },
+                of: PaceSource::Speeds { speeds, slopes },
                 from,
                 to,
             };
             let [a, b] = [part(0.0, cut), part(cut, 1.0)]
-                .map(|part| Timing::new(&with(Pace::Part(part)), None, None).unwrap());
+                .map(|part| Timing::new(&with(Pace::Part(part)), [CurveEnd::Free; 2]).unwrap());
             let mean = cut * a.mean() + (1.0 - cut) * b.mean();
             assert!((mean - whole.mean()).abs() < 1e-11);
             for k in 0..=10 {
@@ -382,10 +370,10 @@ mod tests {
             cruise: 70.0,
         };
         let speeds = [3.0, 60.0, 100.0, 1.0, 1.0, 55.0, 20.0, 70.0, 90.0, 5.0];
+        let ends = [CurveEnd::Facing(40.0), CurveEnd::Free];
         let whole = PaceSource::Speeds {
             speeds,
-            before: Some(40.0),
-            after: None,
+            slopes: end_slopes(&speeds, ends),
         };
         let keys = [[0.0, 0.0], [0.2, 0.05], [0.5, 0.7], [0.9, 0.8], [1.0, 1.0]];
         let part = |of| {
@@ -418,7 +406,7 @@ mod tests {
                 speeds,
                 ..with(pace.clone())
             };
-            let timing = Timing::new(&orientation, Some(40.0), None).unwrap();
+            let timing = Timing::new(&orientation, ends).unwrap();
             for pair in jumps.windows(2) {
                 // Pieces of it, so that the sine is a polynomial to rounding.
                 for piece in 0..4 {
@@ -455,7 +443,7 @@ mod tests {
             let (times, ways) = (row(count), row(count));
             let keys: Vec<_> = times.iter().zip(&ways).map(|(&t, &w)| [t, w]).collect();
             let orientation = with(own::distance(&keys).unwrap());
-            let timing = Timing::new(&orientation, None, None).unwrap();
+            let timing = Timing::new(&orientation, [CurveEnd::Free; 2]).unwrap();
             for [t, w] in &keys {
                 assert!((timing.fraction(*t) - w).abs() < 1e-15);
             }

@@ -7,6 +7,7 @@ use super::reach::{Margin, Reach};
 use super::track::{Knot, Miss, Track, track};
 use crate::error::{Error, Invalid, OutOfRange, Result, vec_with_room};
 use crate::limits::{MAX_FRAMES, MAX_SPEED, MIN_SPEED, SPEEDS};
+use crate::path::speed_curve::{CurveEnd, end_slopes};
 use crate::path::{
     CameraPath, Orientation, Pace, PacePart, PaceSource, Sampler, Timeline, Timing, own,
 };
@@ -495,13 +496,9 @@ impl<'a> Work<'a> {
             let at = timeline.section(section);
             let orientation = &mut made.points[at.point].orientations[at.orientation];
             if orientation.own.pace == Pace::Speeds && !at.constant_speed {
-                let (before, after) = timeline.facing_speeds(path, section);
                 let speeds = orientation.speeds;
-                let of = PaceSource::Speeds {
-                    speeds,
-                    before,
-                    after,
-                };
+                let slopes = end_slopes(&speeds, timeline.curve_ends(path, section)?);
+                let of = PaceSource::Speeds { speeds, slopes };
                 pinned(orientation, of)?;
             }
         }
@@ -512,7 +509,7 @@ impl<'a> Work<'a> {
                 own.frames = pace.frames as u32;
                 own.curve_time = Some(course.curve_time);
             })?;
-            let timing = Timing::new(orientation, None, None)?;
+            let timing = Timing::new(orientation, [CurveEnd::Free; 2])?;
             for (k, speed) in orientation.speeds.iter_mut().enumerate() {
                 *speed = timing
                     .speed(k as f64 / (SPEEDS - 1) as f64)
@@ -524,7 +521,7 @@ impl<'a> Work<'a> {
     }
 }
 
-/// An orientation whose ten speeds keep what faces them.
+/// An orientation with a pace that its neighbours do not shape.
 fn pinned(orientation: &mut Orientation, of: PaceSource) -> Result<()> {
     let part = PacePart {
         of,

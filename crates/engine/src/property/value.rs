@@ -179,18 +179,8 @@ fn table(
 fn pace_part(out: &mut fmt::Formatter<'_>, part: &PacePart) -> fmt::Result {
     write!(out, "{{ from = {:?}, to = {:?}, ", part.from, part.to)?;
     match &part.of {
-        PaceSource::Speeds {
-            speeds,
-            before,
-            after,
-        } => {
-            write!(out, "speed_curve = {speeds:?}")?;
-            if let Some(before) = before {
-                write!(out, ", facing_before = {before:?}")?;
-            }
-            if let Some(after) = after {
-                write!(out, ", facing_after = {after:?}")?;
-            }
+        PaceSource::Speeds { speeds, slopes } => {
+            write!(out, "speed_curve = {speeds:?}, slopes = {slopes:?}")?;
         }
         PaceSource::Ease(ease) => write!(out, "ease = {}", Value::Ease(*ease))?,
         PaceSource::Distance(keys) => write!(out, "distance = {keys:?}")?,

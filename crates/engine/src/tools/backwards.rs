@@ -155,17 +155,12 @@ fn backwards(old: &Orientation, section: &Orientation) -> Result<Orientation> {
             Pace::Distance(keys) => Pace::Distance(distance(keys)),
             Pace::Part(part) => Pace::Part(PacePart {
                 of: match &part.of {
-                    PaceSource::Speeds {
-                        speeds,
-                        before,
-                        after,
-                    } => {
+                    PaceSource::Speeds { speeds, slopes } => {
                         let mut speeds = *speeds;
                         speeds.reverse();
                         PaceSource::Speeds {
                             speeds,
-                            before: *after,
-                            after: *before,
+                            slopes: [-slopes[1], -slopes[0]],
                         }
                     }
                     PaceSource::Ease(whole) => PaceSource::Ease(ease(whole)),

@@ -1,6 +1,7 @@
 //! A section whose way over time is given: its keys as squares to be dragged, and as numbers.
 
 use egui::{Button, CursorIcon, Id, Key, Modifiers, Rect, Sense, Ui, Vec2, WidgetInfo, pos2};
+use vides_engine::path::speed_curve::CurveEnd;
 use vides_engine::path::{Orientation, Overrides, Pace, Timing};
 
 use super::graph::{Axes, Handle};
@@ -40,7 +41,7 @@ pub(super) fn sampled(timing: &Timing) -> Vec<[f64; 2]> {
             own,
             ..Orientation::default()
         };
-        let Ok(now) = Timing::new(&orientation, None, None) else {
+        let Ok(now) = Timing::new(&orientation, [CurveEnd::Free; 2]) else {
             break;
         };
         let off = |u: f64| (now.fraction(u) - timing.fraction(u)).abs();

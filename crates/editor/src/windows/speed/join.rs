@@ -3,6 +3,8 @@
 
 use vides_document::{Document, Selection};
 use vides_engine::limits::{MAX_SPEED, MIN_SPEED, SPEEDS};
+use vides_engine::path::joint;
+use vides_engine::path::speed_curve::CurveEnd;
 use vides_engine::path::{CameraPath, Change, Orientation, Pace, Timeline, Timing};
 
 use super::shapes::{End, Shape};
@@ -15,30 +17,26 @@ const ENOUGH: f64 = 0.06;
 const ROUNDING: f64 = 0.05;
 
 /// A section as it would be with other speeds around it.
+#[derive(Clone, Copy)]
 struct Beside<'a> {
-    orientation: &'a Orientation,
-    facing: [Option<f64>; 2],
-    /// Frames at a mean speed of one, not rounded.
-    work: f64,
+    this: joint::Neighbour<'a>,
+    around: [Option<joint::Neighbour<'a>>; 2],
 }
 
 impl<'a> Beside<'a> {
     fn new(path: &'a CameraPath, timeline: &Timeline, number: usize) -> Self {
-        let section = timeline.section(number);
-        let (before, after) = timeline.facing_speeds(path, number);
         Self {
-            orientation: &path.points[section.point].orientations[section.orientation],
-            facing: [before, after],
-            work: timeline.unrounded_frames(path, number) * section.mean_speed,
+            this: timeline.neighbour(path, number),
+            around: timeline.neighbours(path, number),
         }
     }
 
     /// Its pace, and how much faster it is than its speeds say since its frames are whole or fixed.
-    fn timing(&self, orientation: &Orientation) -> Option<(Timing, f64)> {
-        let [before, after] = self.facing;
-        let timing = Timing::new(orientation, before, after).ok()?;
-        let frames = self.work / timing.mean();
-        let whole = match orientation.own.frames {
+    fn timing(&self) -> Option<(Timing, f64)> {
+        let [before, after] = self.around;
+        let timing = self.this.timing(before, after).ok()?;
+        let frames = self.this.work / timing.mean();
+        let whole = match self.this.orientation.own.frames {
             0 => frames.round().max(1.0),
             fixed => f64::from(fixed),
         };
@@ -109,7 +107,7 @@ pub(super) fn ready(document: &Document, at: Selection, shape: Shape) -> Option<
     match made {
         Ok(Some(speeds)) => Some(speeds),
         Ok(None) => {
-            let alone = Timing::new(key, None, None).ok()?;
+            let alone = Timing::new(key, [CurveEnd::Free; 2]).ok()?;
             Some(shape.speeds([End::Free; 2], alone.mean(), true))
         }
         Err(_) => None,
@@ -139,7 +137,7 @@ pub(crate) fn slow_past(document: &Document, at: Selection) -> Option<Two> {
         }
         let [one, other] = both.map(|number| {
             let this = Beside::new(path, timeline, number);
-            let (timing, faster) = this.timing(this.orientation)?;
+            let (timing, faster) = this.timing()?;
             Some(SLOW * timing.mean() * faster)
         });
         let slow = one?.min(other?);
@@ -158,28 +156,36 @@ pub(crate) fn slow_past(document: &Document, at: Selection) -> Option<Two> {
     made.ok().flatten()
 }
 
-fn joined(this: Beside<'_>, mut beside: [Neighbour<'_>; 2], shape: Shape) -> Option<[f64; SPEEDS]> {
-    let fixed = this.orientation.own.frames > 0;
-    let own = &this.orientation.own;
+fn joined(this: Beside<'_>, beside: [Neighbour<'_>; 2], shape: Shape) -> Option<[f64; SPEEDS]> {
+    let begins = this.this.orientation;
+    let fixed = begins.own.frames > 0;
     let mut new = Orientation {
-        own: own.with(|own| own.pace = Pace::Speeds).ok()?,
-        ..this.orientation.clone()
+        own: begins.own.with(|own| own.pace = Pace::Speeds).ok()?,
+        ..begins.clone()
     };
-    let old = this.timing(this.orientation)?.0.mean();
+    let old = this.timing()?.0.mean();
     let mut best: Option<(f64, [f64; SPEEDS])> = None;
     for round in 0..ROUNDS {
-        let scale = this.timing(&new)?.1;
+        let now = Beside {
+            this: joint::Neighbour {
+                orientation: &new,
+                ..this.this
+            },
+            ..this
+        };
+        let scale = now.timing()?.1;
         let mut ends = [End::Free; 2];
         let mut off: f64 = 0.0;
-        for (side, neighbour) in beside.iter_mut().enumerate() {
+        for (side, neighbour) in beside.iter().enumerate() {
             ends[side] = match neighbour {
                 Neighbour::None => End::Free,
                 Neighbour::Still => End::Still,
                 Neighbour::Slow(speed) => End::Slow(*speed / scale),
                 Neighbour::Goes(other) => {
                     let here = new.speeds[side * (SPEEDS - 1)];
-                    other.facing[1 - side] = Some(here);
-                    let (course, faster) = other.timing(other.orientation)?;
+                    let mut other = *other;
+                    other.around[1 - side] = Some(now.this);
+                    let (course, faster) = other.timing()?;
                     let nominal = course.speed(1.0 - side as f64);
                     let real = nominal * faster / scale;
                     let near = (real - nominal).abs() < ROUNDING * nominal;

@@ -1,6 +1,8 @@
 //! The section whose speeds are shown, the room for them, and entries into it.
 
 use vides_engine::limits::SPEEDS;
+use vides_engine::path::joint::Neighbour;
+use vides_engine::path::speed_curve::CurveEnd;
 use vides_engine::path::{Orientation, OrientationOverrides, Pace, Timing};
 
 use crate::action::Action;
@@ -110,7 +112,7 @@ impl Section {
             .filter(|&frames| frames > 0)
             .map(|frames| frames as f64);
         Some(Self {
-            timing: Timing::new(orientation, before, after).ok()?,
+            timing: timing(editor, orientation)?,
             pace: orientation.own.pace.clone(),
             speeds: orientation.speeds,
             before,
@@ -124,6 +126,21 @@ impl Section {
             to,
         })
     }
+}
+
+/// The pace of the selected section if it began with this orientation.
+pub(super) fn timing(editor: &Editor, orientation: &Orientation) -> Option<Timing> {
+    let (at, path) = (editor.document.selection(), editor.document.path());
+    let made = editor.document.timeline(|timeline| {
+        let Some(section) = timeline.section_from(at.point, at.orientation) else {
+            let (before, _) = timeline.facing_speeds(path, timeline.section_count());
+            return Timing::new(orientation, [before.into(), CurveEnd::Free]);
+        };
+        let [before, after] = timeline.neighbours(path, section);
+        let work = timeline.neighbour(path, section).work;
+        Neighbour { orientation, work }.timing(before, after)
+    });
+    made.ok()?.ok()
 }
 
 /// Whether a section goes by its ten speeds, or by a pace that they are near.

@@ -1,7 +1,7 @@
 //! Speed curves to pick from: the usual shapes of a camera's motion. No egui here.
 
 use vides_engine::limits::{MAX_SPEED, MIN_SPEED, SPEEDS};
-use vides_engine::path::speed_curve::SpeedCurve;
+use vides_engine::path::speed_curve::{CurveEnd, SpeedCurve};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Shape {
@@ -55,11 +55,11 @@ impl Shape {
             return ten(speed);
         }
         // The mean grows with the fastest speed: bisection.
-        let facing = ends.map(End::speed);
+        let facing = ends.map(|end| CurveEnd::from(end.speed()));
         let (mut low, mut high) = (MIN_SPEED, 10.0 * MAX_SPEED);
         for _ in 0..40 {
             let middle = f64::midpoint(low, high);
-            if SpeedCurve::new(&ten(middle), facing[0], facing[1]).mean() < mean {
+            if SpeedCurve::new(&ten(middle), facing).mean() < mean {
                 low = middle;
             } else {
                 high = middle;
@@ -165,7 +165,9 @@ mod tests {
                 let ends = [before, after].map(|speed| speed.map_or(End::Free, End::Goes));
                 for shape in Shape::ALL {
                     let new = shape.speeds(ends, level, true);
-                    let change = SpeedCurve::new(&new, before, after).mean() / level - 1.0;
+                    let change = SpeedCurve::new(&new, [before, after].map(CurveEnd::from)).mean()
+                        / level
+                        - 1.0;
                     assert!(change.abs() < 0.01, "{shape:?} {level}: {change}");
                 }
             }
@@ -200,7 +202,7 @@ mod tests {
                     (into, [other.speed(), Some(speed)]),
                     (out, [Some(speed), other.speed()]),
                 ] {
-                    let curve = SpeedCurve::new(&speeds, before, after);
+                    let curve = SpeedCurve::new(&speeds, [before, after].map(CurveEnd::from));
                     for step in 0..=900 {
                         assert!(curve.speed(f64::from(step) / 900.0) >= 1.0 - 1e-12);
                     }

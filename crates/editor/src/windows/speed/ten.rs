@@ -2,7 +2,7 @@
 
 use egui::{CursorIcon, Id, Rect, Ui, pos2, vec2};
 use vides_engine::limits::{BASE_SPEED, MAX_SPEED, MIN_SPEED, SPEEDS};
-use vides_engine::path::{Orientation, Timing};
+use vides_engine::path::{Orientation, Pace};
 
 use super::graph::{Axes, Handle};
 use super::join::ready;
@@ -13,7 +13,7 @@ use crate::state::Editor;
 use crate::state::windows::{Held, Quantity};
 use crate::texts::fill;
 use crate::theme;
-use crate::windows::speed::section::{SCALE, Section, Size, entered};
+use crate::windows::speed::section::{SCALE, Section, Size, entered, timing};
 use crate::windows::sub_window::row_at_right;
 
 /// Rounding to this fraction of one leaves a value unchanged.
@@ -76,11 +76,11 @@ pub(super) fn squares(
         if let Some((to, fine)) = moved.to {
             let whole = shown == Quantity::Speed;
             let parts = if whole { 1.0 } else { 10.0 } * if fine { 10.0 } else { 1.0 };
-            new = with_value(section, (shown, at, time), axes.value(to.y), parts);
+            new = with_value(editor, section, (shown, at, time), axes.value(to.y), parts);
         }
         if rise != 0.0 {
             let value = value + rise * axes.percent().max(1.0);
-            new = with_value(section, (shown, at, time), value, EXACT);
+            new = with_value(editor, section, (shown, at, time), value, EXACT);
         }
         if let Some(speeds) = new {
             let edit = editor.orientation_edit(|orientation| orientation.speeds = speeds);
@@ -103,6 +103,7 @@ pub(super) fn squares(
 /// lower one after it, more acceleration between two speeds a lower first and a higher second one:
 /// the section's mean speed hardly changes.
 fn with_value(
+    editor: &Editor,
     section: &Section,
     (shown, at, time): (Quantity, usize, f64),
     value: f64,
@@ -130,11 +131,13 @@ fn with_value(
     let room = |at: usize, end: f64| (end - old[at]) / weight(at);
     let mut low = room(rises, MIN_SPEED).max(-room(falls, MAX_SPEED));
     let mut high = room(rises, MAX_SPEED).min(-room(falls, MIN_SPEED));
+    let current = editor.orientation()?;
+    let by_ten = Orientation {
+        own: current.own.with(|own| own.pace = Pace::Speeds).ok()?,
+        ..current.clone()
+    };
     let by = |by: f64, parts: f64| {
-        let mut orientation = Orientation {
-            speeds: old,
-            ..Orientation::default()
-        };
+        let mut orientation = by_ten.clone();
         for (at, by) in [(rises, by), (falls, -by)] {
             let speed = ((old[at] + by * weight(at)) * parts).round() / parts;
             orientation.speeds[at] = speed.clamp(MIN_SPEED, MAX_SPEED);
@@ -143,7 +146,7 @@ fn with_value(
     };
     for _ in 0..50 {
         let middle = f64::midpoint(low, high);
-        let timing = Timing::new(&by(middle, EXACT), section.before, section.after).ok()?;
+        let timing = timing(editor, &by(middle, EXACT))?;
         let less = shown.of(&timing, section.seconds, time) < value;
         *(if less { &mut low } else { &mut high }) = middle;
     }

@@ -4,6 +4,7 @@ use super::piece::{Course, MOMENTS};
 use crate::error::{Result, vec_with_room};
 use crate::limits::BASE_SPEED;
 use crate::path::hermite::Cubic;
+use crate::path::speed_curve::CurveEnd;
 use crate::path::timing::Timing;
 use crate::path::{Orientation, Pace, own};
 
@@ -104,5 +105,5 @@ fn slopes(
 pub(super) fn timing(pace: &Pace) -> Result<Timing> {
     let mut orientation = Orientation::default();
     orientation.own = orientation.own.with(|own| own.pace = pace.clone())?;
-    Timing::new(&orientation, None, None)
+    Timing::new(&orientation, [CurveEnd::Free; 2])
 }
