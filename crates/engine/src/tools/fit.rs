@@ -8,6 +8,7 @@
 
 mod calm;
 mod corners;
+mod holds;
 mod joins;
 mod jumps;
 mod measure;
@@ -27,7 +28,7 @@ use glam::{DQuat, DVec3};
 use report::Measured;
 
 use crate::error::{Error, Invalid, OutOfRange, Result, TooMany, vec_with_room};
-use crate::limits::{MAX_HOLD, MAX_POINTS};
+use crate::limits::MAX_POINTS;
 use crate::math::orientation::{quaternion_from_view, roll_from_up, view_from_quaternion};
 use crate::math::quaternion::{angle, continue_sign};
 use crate::path::hermite::Cubic;
@@ -425,23 +426,6 @@ impl Data {
         best.ok_or_else(|| Invalid::TooFewPoses.into())
     }
 
-    /// Two equal points, as a path has at least two.
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-    fn standing(&self, frames: f64) -> Result<CameraPath> {
-        let start = self.calm[0];
-        // The hold of the last point counts.
-        let hold = frames.min(f64::from(MAX_HOLD)) as u32;
-        let mut path = CameraPath::try_new()?;
-        let points = [
-            self.point(&start, 0, [None; 2])?,
-            self.point(&start, hold, [None; 2])?,
-        ];
-        path.points = points.to_vec().into();
-        path.space = self.space;
-        path.check()?;
-        Ok(path)
-    }
-
     /// Whether all poses are one within the tolerance.
     fn stands(&self) -> bool {
         let start = &self.calm[0];
@@ -552,10 +536,10 @@ impl Data {
                 hold += piece.frames;
                 continue;
             }
-            points.push(self.point(&piece.start, hold, [before, Some(piece)])?);
+            self.rest(&mut points, piece.start, hold, [before, Some(piece)])?;
             (before, hold) = (Some(piece), 0);
         }
-        points.push(self.point(&end, hold, [before, None])?);
+        self.rest(&mut points, end, hold, [before, None])?;
         let mut path = CameraPath::try_new()?;
         path.points = points.into();
         path.space = self.space;

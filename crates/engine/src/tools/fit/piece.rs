@@ -465,7 +465,7 @@ fn project(curve: &Cubic, points: &[DVec3], places: &mut [f64]) {
     }
 }
 
-fn rest(frames: f64, joint: Joint) -> Piece {
+pub(super) fn rest(frames: f64, joint: Joint) -> Piece {
     Piece {
         frames: whole(frames),
         start: joint.sample,
@@ -482,7 +482,7 @@ fn rest(frames: f64, joint: Joint) -> Piece {
 }
 
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-fn whole(frames: f64) -> u32 {
+pub(super) fn whole(frames: f64) -> u32 {
     frames as u32
 }
 
