@@ -7,6 +7,35 @@ use crate::limits::MAX_HOLD;
 use crate::path::Timeline;
 use crate::path::test_support::Random;
 
+/// About a fixed axis the angle is a cubic, whose second derivative is known.
+#[test]
+fn the_acceleration_of_a_small_turn_is_no_rounding() {
+    for size in [1e-7, 1e-4, 0.3] {
+        let sample = |turned: f64| Sample {
+            position: DVec3::ZERO,
+            turn: crate::math::quaternion::exp(DVec3::X * (size * turned)),
+            zoom: 30.0,
+        };
+        let piece = Piece {
+            start: sample(0.0),
+            end: sample(1.0),
+            velocities: [1.5, 0.2].map(|spin| DVec3::X * (size * spin)),
+            speeds: [[1.0, 0.0]; 2],
+            ..Piece::creep(sample(0.0)).unwrap()
+        };
+        for (side, known) in [
+            (0, 6.0 - 4.0 * 1.5 - 2.0 * 0.2),
+            (1, -6.0 + 2.0 * 1.5 + 4.0 * 0.2),
+        ] {
+            let found = piece.twist(side) / size;
+            assert!(
+                found.distance(DVec3::X * known) < 1e-3,
+                "{size} {side}: {found}"
+            );
+        }
+    }
+}
+
 /// A rest is as long as it was, though no point may rest so long.
 #[test]
 fn a_rest_has_any_length() {
