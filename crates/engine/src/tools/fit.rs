@@ -535,7 +535,9 @@ impl Data {
             if piece.holds {
                 hold += piece.frames;
                 continue;
+            let cut = self.is_cut(&motion.parts[number]);
             }
+                _ if cut => (1, Some(self.crossing(&motion, number, joint)?)),
             self.rest(&mut points, piece.start, hold, [before, Some(piece)])?;
             (before, hold) = (Some(piece), 0);
         }

@@ -62,3 +62,25 @@ fn a_rest_has_any_length() {
         }
     }
 }
+
+/// Where a cut lies between two frames, the path is on the other side at the next one.
+#[test]
+fn cuts_between_frames_meet_both_sides() {
+    for flight in [Flight::Rotation, Flight::Hand] {
+        for seed in 0..20 {
+            let what = Recording {
+                flight,
+                jitter: 0.4,
+                event: Event::Cut,
+                ..PLAIN
+            };
+            let (poses, seconds, _) = recorded(what, &mut Random(seed));
+            let report = made(&poses, &seconds, 30.0, &TOLERANCE.into()).report;
+            assert_eq!(report.cuts, 1);
+            assert!(
+                report.position.greatest <= 0.01001,
+                "{what:?} {seed}: {report}"
+            );
+        }
+    }
+}
