@@ -17,6 +17,7 @@ mod pace;
 mod piece;
 mod recording;
 mod report;
+mod rests;
 mod time_unit;
 mod whole;
 
@@ -304,6 +305,9 @@ const BEYOND_NOISE: f64 = 5.0;
 
 /// Multiples of that which are tried for a better tolerance.
 const BETTER: [f64; 3] = [1.0, 1.5, 2.0];
+/// So many no bounded noise is.
+const BOUNDED: f64 = 3.5;
+
 
 impl Data {
     fn made(&mut self, options: &Options, poses: usize, progress: Progress<'_>) -> Result<Fitted> {
@@ -395,7 +399,7 @@ impl Data {
             let given = [self.tolerance, self.angle];
             let met = best.as_ref().filter(|best| best.1.worst <= WITHIN);
             // Less than the noise no spline follows by few points.
-            let within_noise = (0..2).any(|k| share * given[k] < BEYOND_NOISE * noises[k]);
+            let within_noise = (0..2).any(|k| share * given[k] < BOUNDED * noises[k]);
             if best.is_some() && share < 1.0 && within_noise {
                 continue;
             }

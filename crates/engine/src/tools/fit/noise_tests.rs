@@ -36,6 +36,92 @@ fn the_acceleration_of_a_small_turn_is_no_rounding() {
     }
 }
 
+/// At most twice the points of the clean flight, where a pause is a hold.
+#[test]
+fn noise_hides_no_pause() {
+    for flight in [
+        Flight::Hand,
+        Flight::Rotation,
+        Flight::Translation,
+        Flight::Line,
+    ] {
+        for rate in [30.0, 100.0, 400.0] {
+            for noise in [Noise::Gaussian(0.002), Noise::Uniform(0.006)] {
+                let plain = Recording {
+                    flight,
+                    rate,
+                    event: Event::Pause,
+                    ..PLAIN
+                };
+                let (poses, seconds, _) = recorded(plain, &mut Random(7));
+                let clean = made(&poses, &seconds, rate, &TOLERANCE.into());
+                let noisy = Recording { noise, ..plain };
+                let (mut poses, seconds, _) = recorded(noisy, &mut Random(9));
+                let mut random = Random(11);
+                for pose in &mut poses {
+                    let off = [0.0; 3].map(|_| 0.002 * (random.unit() - 0.5));
+                    let turn = quaternion_from_view(pose.vpn.into(), pose.vup.into());
+                    let turn = crate::math::quaternion::exp(off.into()) * turn;
+                    let (view, up) = view_from_quaternion(turn);
+                    (pose.vpn, pose.vup) = (view.to_array(), up.to_array());
+                }
+                let fitted = made(&poses, &seconds, rate, &TOLERANCE.into());
+                let what = format!("{noisy:?}: {} {}", clean.report.points, fitted.report);
+                assert!(fitted.report.points <= 2 * clean.report.points, "{what}");
+                assert_eq!((clean.report.holds, fitted.report.holds), (1, 1), "{what}");
+                let held = |fitted: &Fitted| {
+                    let holds = fitted.path.points.iter();
+                    f64::from(holds.map(|point| point.orientations[0].hold).max().unwrap())
+                };
+                let longer = (held(&fitted) - held(&clean)).abs() / rate;
+                assert!(longer <= 0.15, "{what}: {longer} s");
+            }
+        }
+    }
+}
+
+/// Where a motion slows down and goes back it does not rest.
+#[test]
+fn noise_makes_no_pause() {
+    for rate in [30.0, 200.0, 800.0] {
+        for noise in [Noise::None, Noise::Gaussian(0.001), Noise::Uniform(0.006)] {
+            let what = Recording {
+                flight: Flight::Reversal,
+                rate,
+                noise,
+                ..PLAIN
+            };
+            let (poses, seconds, _) = recorded(what, &mut Random(5));
+            let fitted = made(&poses, &seconds, rate, &TOLERANCE.into());
+            assert_eq!(fitted.report.holds, 0, "{what:?}: {}", fitted.report);
+        }
+    }
+}
+
+/// A way forth and back of few directions has noise across it, too.
+#[test]
+fn reversals_in_noise_need_at_most_twice_the_points() {
+    for rate in [30.0, 200.0, 800.0] {
+        let plain = Recording {
+            flight: Flight::Reversal,
+            rate,
+            ..PLAIN
+        };
+        let (poses, seconds, _) = recorded(plain, &mut Random(5));
+        let clean = made(&poses, &seconds, rate, &TOLERANCE.into())
+            .report
+            .points;
+        for noise in [Noise::Gaussian(0.001), Noise::Uniform(0.006)] {
+            let (poses, seconds, _) = recorded(Recording { noise, ..plain }, &mut Random(6));
+            let report = made(&poses, &seconds, rate, &TOLERANCE.into()).report;
+            assert!(
+                report.points <= 2 * clean,
+                "{rate} {noise:?}: {clean} {report}"
+            );
+        }
+    }
+}
+
 /// A rest is as long as it was, though no point may rest so long.
 #[test]
 fn a_rest_has_any_length() {
