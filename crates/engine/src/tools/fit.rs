@@ -144,6 +144,8 @@ struct Data {
     tolerance: f64,
     /// Radians.
     angle: f64,
+    /// How near to the splines pieces must be, where the tolerance is for noise: a length and radians.
+    near: [f64; 2],
     fps: f64,
     space: Space,
 }
@@ -303,11 +305,20 @@ const MOST_OUTLIERS: usize = 20;
 /// So many standard deviations of a coordinate no noise is far from the flight.
 const BEYOND_NOISE: f64 = 5.0;
 
-/// Multiples of that which are tried for a better tolerance.
-const BETTER: [f64; 3] = [1.0, 1.5, 2.0];
 /// So many no bounded noise is.
 const BOUNDED: f64 = 3.5;
 
+/// Multiples of that which are tried for a better tolerance.
+const BETTER: [f64; 3] = [1.0, 1.5, 2.0];
+
+/// The share of the tolerance by which pieces may then miss the splines, which know better than a pose.
+const NEAR: f64 = 0.1;
+
+/// At its worst a smooth path may be farther off by this factor.
+const AS_NEAR: f64 = 1.5;
+
+/// With more poses than this for a frame, most noise between frames cannot be met.
+const BETWEEN: f64 = 1.2;
 
 impl Data {
     fn made(&mut self, options: &Options, poses: usize, progress: Progress<'_>) -> Result<Fitted> {
@@ -357,36 +368,74 @@ impl Data {
         if MANY * report.points <= report.poses {
             return Ok(None);
         }
-        let given = [self.tolerance, self.angle];
-        for times in BETTER {
-            let beyond = |noise: f64| round_up(times * BEYOND_NOISE * noise);
-            let tolerance = Tolerance {
-                position: beyond(report.noise).max(given[0]),
-                angle: beyond(report.turning_noise)
-                    .max(given[1].to_degrees())
-                    .min(180.0),
-            };
-            let with = [tolerance.position, tolerance.angle.to_radians()];
-            if with[0] <= given[0] && with[1] <= given[1] {
+        for tolerance in self.beyond_noise([report.noise, report.turning_noise.to_radians()]) {
+            let Some((path, _)) = self.with(tolerance, progress)? else {
                 continue;
-            }
-            [self.tolerance, self.angle] = with;
-            let made = self.best(progress);
-            [self.tolerance, self.angle] = given;
-            let points = match made {
-                Ok((path, _)) => path.points.len(),
-                Err(Error::Limit(_)) => continue,
-                Err(error) => return Err(error),
             };
-            if 2 * points <= report.points {
-                return Ok(Some((tolerance, points)));
+            if 2 * path.points.len() <= report.points {
+                return Ok(Some((tolerance, path.points.len())));
             }
         }
         Ok(None)
     }
 
-    /// The path of fewest points that meets all poses, else the one that misses them least.
+    /// Tolerances beyond the noise of positions and of views (radians), the smallest first.
+    fn beyond_noise(&self, noises: [f64; 2]) -> impl Iterator<Item = Tolerance> + use<> {
+        let given = [self.tolerance, self.angle.to_degrees()];
+        let noises = [noises[0], noises[1].to_degrees()];
+        BETTER.into_iter().filter_map(move |times| {
+            let beyond = noises.map(|noise| round_up(times * BEYOND_NOISE * noise));
+            let larger = beyond[0] > given[0] || beyond[1] > given[1];
+            larger.then(|| Tolerance {
+                position: beyond[0].max(given[0]),
+                angle: beyond[1].max(given[1]).min(180.0),
+            })
+        })
+    }
+
+    /// The nearest path with another tolerance; none if it needs too many points.
+    fn with(
+        &mut self,
+        tolerance: Tolerance,
+        progress: Progress<'_>,
+    ) -> Result<Option<(CameraPath, Measured)>> {
+        let given = [self.tolerance, self.angle];
+        [self.tolerance, self.angle] = [tolerance.position, tolerance.angle.to_radians()];
+        let made = self.nearest(progress);
+        [self.tolerance, self.angle] = given;
+        match made {
+            Err(Error::Limit(_)) => Ok(None),
+            made => made.map(Some),
+        }
+    }
+
+    /// The nearest path; but where none can meet poses between its frames, as they are noise, a
+    /// smooth one of fewer points that is about as near at its worst.
     fn best(&mut self, progress: Progress<'_>) -> Result<(CameraPath, Measured)> {
+        let mut best = self.nearest(progress)?;
+        let frames = self.times[self.times.len() - 1];
+        if best.1.worst <= WITHIN || self.poses() as f64 <= BETWEEN * frames {
+            return Ok(best);
+        }
+        for tolerance in self.beyond_noise(self.noises()?) {
+            self.near = [self.tolerance, self.angle].map(|given| NEAR * given);
+            let made = self.with(tolerance, progress);
+            self.near = [f64::INFINITY; 2];
+            let Some(made) = made? else {
+                continue;
+            };
+            let turned = made.1.view.greatest.max(made.1.lens.greatest).to_radians();
+            let worst = (made.1.position.greatest / self.tolerance).max(turned / self.angle);
+            if worst <= AS_NEAR * best.1.worst && made.0.points.len() < best.0.points.len() {
+                best = made;
+                break;
+            }
+        }
+        Ok(best)
+    }
+
+    /// The path of fewest points that meets all poses, else the one that misses them least.
+    fn nearest(&mut self, progress: Progress<'_>) -> Result<(CameraPath, Measured)> {
         self.calm_down(false)?;
         if self.stands() {
             let path = self.standing(self.times[self.times.len() - 1])?;
@@ -486,7 +535,9 @@ impl Data {
         let mut joint = self.joint(motion.stretches[0].at(0.0).sample);
         let (mut number, mut moving) = (0, 0);
         while number < motion.parts.len() {
+            let cut = self.is_cut(&motion.parts[number]);
             let (over, mut whole) = match follow {
+                _ if cut => (1, Some(self.crossing(&motion, number, joint)?)),
                 Follow::ByPoints => (1, None),
                 _ => self.over_corners(&motion, number, joint, exact)?,
             };
@@ -539,9 +590,7 @@ impl Data {
             if piece.holds {
                 hold += piece.frames;
                 continue;
-            let cut = self.is_cut(&motion.parts[number]);
             }
-                _ if cut => (1, Some(self.crossing(&motion, number, joint)?)),
             self.rest(&mut points, piece.start, hold, [before, Some(piece)])?;
             (before, hold) = (Some(piece), 0);
         }

@@ -23,6 +23,9 @@ const SWEEPS: usize = 12;
 /// such joins are skipped, so that their neighbours do not follow them.
 const STEEP: f64 = 0.5;
 
+/// Ways at which a piece that turns otherwise is held against what it was.
+const NEAR_AT: [f64; 3] = [0.25, 0.5, 0.75];
+
 /// Rounds in which joins are left as they were, since poses were missed.
 const ROUNDS: usize = 6;
 
@@ -42,8 +45,11 @@ impl Piece {
 
     /// Its control quaternions.
     pub(super) fn control(&self) -> [DQuat; 4] {
-        let [leave, reach] = self.velocities.map(|velocity| velocity / 3.0);
-        let (a, b) = (self.start.turn, self.end.turn);
+        Self::between([self.start.turn, self.end.turn], self.velocities)
+    }
+
+    fn between([a, b]: [DQuat; 2], velocities: [DVec3; 2]) -> [DQuat; 4] {
+        let [leave, reach] = velocities.map(|velocity| velocity / 3.0);
         [a, exp(leave) * a, exp(-reach) * b, b]
     }
 
@@ -121,7 +127,7 @@ impl Data {
             }
             let (mut from, mut met) = (0.0, true);
             for (k, piece) in pieces.iter().enumerate() {
-                if !piece.holds && !self.meets(piece, from)? {
+                if !piece.holds && !self.meets(piece, before[k], from)? {
                     (stays[k], stays[k + 1]) = (true, true);
                     met = false;
                 }
@@ -134,9 +140,16 @@ impl Data {
         Ok(())
     }
 
-    /// Whether the views of a piece that begins at a time are those of the poses.
-    fn meets(&self, piece: &Piece, from: f64) -> Result<bool> {
+    /// Whether the views of a piece that begins at a time are those of the poses, and as near as they
+    /// must be to those with the velocities that it had.
+    fn meets(&self, piece: &Piece, had: [DVec3; 2], from: f64) -> Result<bool> {
         let (timing, control) = (timing(&piece.pace)?, piece.control());
+        let was = Piece::between([piece.start.turn, piece.end.turn], had);
+        let far =
+            |way: f64| 2.0 * log(bezier(&control, way) * bezier(&was, way).conjugate()).length();
+        if NEAR_AT.iter().any(|way| far(*way) > self.near[1]) {
+            return Ok(false);
+        }
         let to = from + f64::from(piece.frames);
         let range = [from, to].map(|end| self.times.partition_point(|time| *time < end));
         Ok((range[0]..range[1])

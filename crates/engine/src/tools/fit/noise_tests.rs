@@ -122,6 +122,27 @@ fn reversals_in_noise_need_at_most_twice_the_points() {
     }
 }
 
+/// No path meets what is beyond the tolerance between its frames: then it is smooth, near the flight.
+#[test]
+fn more_poses_than_frames_average_their_noise() {
+    for flight in [Flight::Hand, Flight::Line, Flight::EvenPan] {
+        let noise = Noise::Gaussian(0.01);
+        let what = Recording {
+            flight,
+            rate: 120.0,
+            noise,
+            ..PLAIN
+        };
+        let (poses, seconds, clean) = recorded(what, &mut Random(5));
+        let fitted = made(&poses, &seconds, 25.0, &TOLERANCE.into());
+        let [_, off] = from_clean(&fitted.path, &seconds, 25.0, &clean);
+        let what = format!("{flight:?}: {off} {}", fitted.report);
+        // Half of what the poses are off by.
+        let near = off <= 0.5 * 0.01 * 3f64.sqrt();
+        assert!(near && fitted.report.points <= 100, "{what}");
+    }
+}
+
 /// A rest is as long as it was, though no point may rest so long.
 #[test]
 fn a_rest_has_any_length() {

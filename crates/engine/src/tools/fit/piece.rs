@@ -317,6 +317,16 @@ impl Data {
                 return Ok(None);
             }
         }
+        let far = course.states.iter().zip(&ways).any(|(state, way)| {
+            let [far, zoom] = [
+                place(*way).distance(state.sample.position),
+                state.sample.zoom,
+            ];
+            far > self.near[0] || state.sample.off(bezier(&control, *way), zoom) > self.near[1]
+        });
+        if far && !course.must {
+            return Ok(None);
+        }
         let piece = Piece {
             frames: whole(frames),
             start: course.joint.sample,
