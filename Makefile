@@ -229,12 +229,13 @@ check-calls: libs
 	$(ONCE)inject $(CARGO_TARGET_DIR)/inject include tests/calls -- \
 	    tests/calls/run.sh $(CARGO_TARGET_DIR)/inject inject hand_over
 
+$(CARGO_TARGET_DIR)/planning/bin/python:
+	python3 -m venv $(CARGO_TARGET_DIR)/planning
+	$(CARGO_TARGET_DIR)/planning/bin/pip -q install -r tests/planning/requirements
+
 # Planned flights, beside other libraries and against their distances and rays; not in `make test`.
-check-planning: all
+check-planning: all $(CARGO_TARGET_DIR)/planning/bin/python
 	@mk/need.sh python3=python3 node=nodejs npm=npm
-	[ -x $(CARGO_TARGET_DIR)/planning/bin/python ] || { \
-	    python3 -m venv $(CARGO_TARGET_DIR)/planning && \
-	    $(CARGO_TARGET_DIR)/planning/bin/pip -q install -r tests/planning/requirements; }
 	$(CARGO_TARGET_DIR)/planning/bin/python tests/planning/retime.py $(RELEASE)/vides $(CARGO_TARGET_DIR)/planning/paths
 	$(CARGO_TARGET_DIR)/planning/bin/python tests/planning/picture.py $(LIB)/libvides.so.1 $(CARGO_TARGET_DIR)/planning/meshes
 	$(CARGO_TARGET_DIR)/planning/bin/python tests/planning/steady.py $(RELEASE)/vides $(CARGO_TARGET_DIR)/planning/paths
@@ -244,6 +245,7 @@ check-planning: all
 	    $(patsubst %,$(CARGO_TARGET_DIR)/planning/data/meshes/%.off,refined_elephant bunny00 armadillo \
 	    camel bull lion-head cow) nut.ply airplane.ply ant.ply
 	$(CARGO_TARGET_DIR)/planning/bin/python tests/planning/avoid.py $(RELEASE)/vides $(CARGO_TARGET_DIR)/planning/avoid
+	$(CARGO_TARGET_DIR)/planning/bin/python tests/planning/fit.py $(LIB)/libvides.so.1 $(CARGO_TARGET_DIR)/planning/fit 40
 
 # The window, from outside.
 check-x: all
@@ -310,12 +312,13 @@ check-packages: libs wheel
 	VIDES_FORMATS=$(abspath $(FORMATS)) \
 	    python/tests/run.sh $(WHEELS) $(CARGO_TARGET_DIR)/python $(LIB)/libvides.so.1 large
 
-bench: libs
+bench: libs $(CARGO_TARGET_DIR)/planning/bin/python
 	@mk/need.sh python3=python3 python3:ensurepip=python3-venv
 	python3 benches/table.py
 	python3 benches/scene.py
 	$(CARGO) test --locked --workspace --all-features --lib --tests timed_ -- \
 	    --test-threads=1 --nocapture
+	$(CARGO_TARGET_DIR)/planning/bin/python tests/planning/fit.py $(LIB)/libvides.so.1 $(CARGO_TARGET_DIR)/planning/fit
 
 soak: toolchain libs fuzz
 	@mk/need.sh python3=python3 Xvfb=xvfb xdotool=xdotool xclip=xclip setxkbmap=x11-xkb-utils \

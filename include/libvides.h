@@ -2560,8 +2560,10 @@ int v_set_progress(int (*progress)(double share, void *user),
  * V_UP_Y.
  *
  * v_last_warning() then reports points, deviations and frame rate; if there are any,
- * holds, gaps, cuts and outliers; and, where more than a third of the poses became
- * points, a tolerance that needs at most half of them.
+ * holds, gaps, cuts and outliers; and what helps against many points: where a few
+ * outliers cost a third of them, v_path_fit_poses_robust() with the points it needs;
+ * else, where more than a third of the poses became points, a tolerance that needs at
+ * most half of them.
  *
  * seconds  when each pose was taken, in order; NULL: one per frame. Of equal times the
  *     first counts. Times beyond 1e11 count nanoseconds or microseconds, by their

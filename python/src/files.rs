@@ -181,13 +181,15 @@ pub(crate) fn save_poses(
 }
 
 /// Points and poses; greatest and RMS deviation of position, view and field of view; noise; holds,
-/// gaps, cuts, repeated times; a better tolerance with its angle and points; the text.
+/// gaps, cuts, repeated times; a better tolerance with its angle and points; the outliers and the
+/// points of a robust fit that is better; the text.
 type FitReport = (
     [usize; 2],
     [[f64; 2]; 3],
     f64,
     [usize; 4],
     Option<(f64, f64, usize)>,
+    Option<(usize, usize)>,
     String,
 );
 
@@ -201,6 +203,7 @@ fn told(report: &FitResult) -> FitReport {
         report
             .better
             .map(|(better, points)| (better.position, better.angle, points)),
+        report.robust,
         report.to_string(),
     )
 }

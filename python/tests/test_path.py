@@ -223,6 +223,11 @@ def test_a_recording_is_fitted(path: vides.Path) -> None:
     assert report is not None and report.outliers == (77,) and report.poses == len(noisy)
     assert report.points == len(robust.points) and report.position[1] <= report.position[0] <= 0.01001
     assert report.better is None and report.text.startswith(f"{report.points} points for ")
+    assert report.robust is None
+    noisy[[20, 60, 90, 120, 160], 1] += 2
+    followed = vides.Path.fit(noisy, tolerance=0.01).fit_report
+    robust = vides.Path.fit(noisy, tolerance=0.01, robust=True)
+    assert followed is not None and followed.robust == (6, len(robust.points))
     assert len(vides.Path.fit(recorded, points=5).points) <= 5 and path.fit_report is None
 
 

@@ -483,11 +483,11 @@ class Path(Shaped):
             array, times, rate, near, turned, upright, bool(robust), most
         )
         path = cls._of(native, [f"pose {at} is left out" for at in left_out])
-        (made, given), (position, view, field), noise, found, better, text = told
+        (made, given), (position, view, field), noise, found, better, fewer, text = told
         holds, gaps, cuts, repeated = found
         report = FitReport(
             made, given, position, view, field, noise, holds, gaps, cuts, repeated,
-            tuple(left_out), better, text,
+            tuple(left_out), better, fewer, text,
         )  # fmt: skip
         path.fit_report = report
         return path

@@ -58,6 +58,9 @@ class FitReport(NamedTuple):
     better: tuple[float, float, int] | None
     """Where more than a third of the poses became points: a tolerance and an angle that need at
     most half as many, and how many."""
+    robust: tuple[int, int] | None
+    """Where a few outliers cost at least a third of the points: how many ``robust`` leaves out, and
+    the points that it then needs."""
     text: str
     """The report in sentences."""
 

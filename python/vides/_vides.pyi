@@ -63,6 +63,7 @@ def fit(
         float,
         tuple[int, int, int, int],
         tuple[float, float, int] | None,
+        tuple[int, int] | None,
         str,
     ],
 ]: ...

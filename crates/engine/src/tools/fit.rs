@@ -8,6 +8,7 @@
 
 mod calm;
 mod corners;
+mod holds;
 mod joins;
 mod jumps;
 mod measure;
@@ -16,6 +17,7 @@ mod pace;
 mod piece;
 mod recording;
 mod report;
+mod rests;
 mod time_unit;
 mod whole;
 
@@ -27,7 +29,7 @@ use glam::{DQuat, DVec3};
 use report::Measured;
 
 use crate::error::{Error, Invalid, OutOfRange, Result, TooMany, vec_with_room};
-use crate::limits::{MAX_HOLD, MAX_POINTS};
+use crate::limits::MAX_POINTS;
 use crate::math::orientation::{quaternion_from_view, roll_from_up, view_from_quaternion};
 use crate::math::quaternion::{angle, continue_sign};
 use crate::path::hermite::Cubic;
@@ -142,6 +144,8 @@ struct Data {
     tolerance: f64,
     /// Radians.
     angle: f64,
+    /// How near to the splines pieces must be, where the tolerance is for noise: a length and radians.
+    near: [f64; 2],
     fps: f64,
     space: Space,
 }
@@ -301,8 +305,20 @@ const MOST_OUTLIERS: usize = 20;
 /// So many standard deviations of a coordinate no noise is far from the flight.
 const BEYOND_NOISE: f64 = 5.0;
 
+/// So many no bounded noise is.
+const BOUNDED: f64 = 3.5;
+
 /// Multiples of that which are tried for a better tolerance.
 const BETTER: [f64; 3] = [1.0, 1.5, 2.0];
+
+/// The share of the tolerance by which pieces may then miss the splines, which know better than a pose.
+const NEAR: f64 = 0.1;
+
+/// At its worst a smooth path may be farther off by this factor.
+const AS_NEAR: f64 = 1.5;
+
+/// With more poses than this for a frame, most noise between frames cannot be met.
+const BETWEEN: f64 = 1.2;
 
 impl Data {
     fn made(&mut self, options: &Options, poses: usize, progress: Progress<'_>) -> Result<Fitted> {
@@ -352,36 +368,74 @@ impl Data {
         if MANY * report.points <= report.poses {
             return Ok(None);
         }
-        let given = [self.tolerance, self.angle];
-        for times in BETTER {
-            let beyond = |noise: f64| round_up(times * BEYOND_NOISE * noise);
-            let tolerance = Tolerance {
-                position: beyond(report.noise).max(given[0]),
-                angle: beyond(report.turning_noise)
-                    .max(given[1].to_degrees())
-                    .min(180.0),
-            };
-            let with = [tolerance.position, tolerance.angle.to_radians()];
-            if with[0] <= given[0] && with[1] <= given[1] {
+        for tolerance in self.beyond_noise([report.noise, report.turning_noise.to_radians()]) {
+            let Some((path, _)) = self.with(tolerance, progress)? else {
                 continue;
-            }
-            [self.tolerance, self.angle] = with;
-            let made = self.best(progress);
-            [self.tolerance, self.angle] = given;
-            let points = match made {
-                Ok((path, _)) => path.points.len(),
-                Err(Error::Limit(_)) => continue,
-                Err(error) => return Err(error),
             };
-            if 2 * points <= report.points {
-                return Ok(Some((tolerance, points)));
+            if 2 * path.points.len() <= report.points {
+                return Ok(Some((tolerance, path.points.len())));
             }
         }
         Ok(None)
     }
 
-    /// The path of fewest points that meets all poses, else the one that misses them least.
+    /// Tolerances beyond the noise of positions and of views (radians), the smallest first.
+    fn beyond_noise(&self, noises: [f64; 2]) -> impl Iterator<Item = Tolerance> + use<> {
+        let given = [self.tolerance, self.angle.to_degrees()];
+        let noises = [noises[0], noises[1].to_degrees()];
+        BETTER.into_iter().filter_map(move |times| {
+            let beyond = noises.map(|noise| round_up(times * BEYOND_NOISE * noise));
+            let larger = beyond[0] > given[0] || beyond[1] > given[1];
+            larger.then(|| Tolerance {
+                position: beyond[0].max(given[0]),
+                angle: beyond[1].max(given[1]).min(180.0),
+            })
+        })
+    }
+
+    /// The nearest path with another tolerance; none if it needs too many points.
+    fn with(
+        &mut self,
+        tolerance: Tolerance,
+        progress: Progress<'_>,
+    ) -> Result<Option<(CameraPath, Measured)>> {
+        let given = [self.tolerance, self.angle];
+        [self.tolerance, self.angle] = [tolerance.position, tolerance.angle.to_radians()];
+        let made = self.nearest(progress);
+        [self.tolerance, self.angle] = given;
+        match made {
+            Err(Error::Limit(_)) => Ok(None),
+            made => made.map(Some),
+        }
+    }
+
+    /// The nearest path; but where none can meet poses between its frames, as they are noise, a
+    /// smooth one of fewer points that is about as near at its worst.
     fn best(&mut self, progress: Progress<'_>) -> Result<(CameraPath, Measured)> {
+        let mut best = self.nearest(progress)?;
+        let frames = self.times[self.times.len() - 1];
+        if best.1.worst <= WITHIN || self.poses() as f64 <= BETWEEN * frames {
+            return Ok(best);
+        }
+        for tolerance in self.beyond_noise(self.noises()?) {
+            self.near = [self.tolerance, self.angle].map(|given| NEAR * given);
+            let made = self.with(tolerance, progress);
+            self.near = [f64::INFINITY; 2];
+            let Some(made) = made? else {
+                continue;
+            };
+            let turned = made.1.view.greatest.max(made.1.lens.greatest).to_radians();
+            let worst = (made.1.position.greatest / self.tolerance).max(turned / self.angle);
+            if worst <= AS_NEAR * best.1.worst && made.0.points.len() < best.0.points.len() {
+                best = made;
+                break;
+            }
+        }
+        Ok(best)
+    }
+
+    /// The path of fewest points that meets all poses, else the one that misses them least.
+    fn nearest(&mut self, progress: Progress<'_>) -> Result<(CameraPath, Measured)> {
         self.calm_down(false)?;
         if self.stands() {
             let path = self.standing(self.times[self.times.len() - 1])?;
@@ -394,7 +448,7 @@ impl Data {
             let given = [self.tolerance, self.angle];
             let met = best.as_ref().filter(|best| best.1.worst <= WITHIN);
             // Less than the noise no spline follows by few points.
-            let within_noise = (0..2).any(|k| share * given[k] < BEYOND_NOISE * noises[k]);
+            let within_noise = (0..2).any(|k| share * given[k] < BOUNDED * noises[k]);
             if best.is_some() && share < 1.0 && within_noise {
                 continue;
             }
@@ -423,23 +477,6 @@ impl Data {
             }
         }
         best.ok_or_else(|| Invalid::TooFewPoses.into())
-    }
-
-    /// Two equal points, as a path has at least two.
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-    fn standing(&self, frames: f64) -> Result<CameraPath> {
-        let start = self.calm[0];
-        // The hold of the last point counts.
-        let hold = frames.min(f64::from(MAX_HOLD)) as u32;
-        let mut path = CameraPath::try_new()?;
-        let points = [
-            self.point(&start, 0, [None; 2])?,
-            self.point(&start, hold, [None; 2])?,
-        ];
-        path.points = points.to_vec().into();
-        path.space = self.space;
-        path.check()?;
-        Ok(path)
     }
 
     /// Whether all poses are one within the tolerance.
@@ -498,7 +535,9 @@ impl Data {
         let mut joint = self.joint(motion.stretches[0].at(0.0).sample);
         let (mut number, mut moving) = (0, 0);
         while number < motion.parts.len() {
+            let cut = self.is_cut(&motion.parts[number]);
             let (over, mut whole) = match follow {
+                _ if cut => (1, Some(self.crossing(&motion, number, joint)?)),
                 Follow::ByPoints => (1, None),
                 _ => self.over_corners(&motion, number, joint, exact)?,
             };
@@ -552,10 +591,10 @@ impl Data {
                 hold += piece.frames;
                 continue;
             }
-            points.push(self.point(&piece.start, hold, [before, Some(piece)])?);
+            self.rest(&mut points, piece.start, hold, [before, Some(piece)])?;
             (before, hold) = (Some(piece), 0);
         }
-        points.push(self.point(&end, hold, [before, None])?);
+        self.rest(&mut points, end, hold, [before, None])?;
         let mut path = CameraPath::try_new()?;
         path.points = points.into();
         path.space = self.space;

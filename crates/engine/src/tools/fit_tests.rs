@@ -8,6 +8,8 @@ use crate::tools::check::{CheckContext, Limits, check};
 
 #[path = "fit/closer_tests.rs"]
 mod closer;
+#[path = "fit/noise_tests.rs"]
+mod noise;
 #[path = "fit/recordings_tests.rs"]
 mod recordings;
 

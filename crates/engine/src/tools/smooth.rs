@@ -14,6 +14,10 @@ const LIGHT: f64 = 6e8;
 /// Rounds of weighing; what is missed after them is met exactly.
 const ROUNDS: usize = 30;
 
+/// Rounds after which a row that is missed by a little weighs at least twice as much: met exactly
+/// with its noise, it would draw the spline far away from its neighbours.
+const PATIENT: usize = 15;
+
 /// Weights for noise are at most so many times heavier, and are halved so many times into the
 /// logarithms between.
 const HEAVIEST: f64 = 1e-14;
@@ -203,15 +207,16 @@ impl<const N: usize> Spline<N> {
                 .map(|allowed| if *allowed > 0.0 { all } else { 0.0 }),
         );
         let mut factors: Vec<f64> = vec_with_room(rows.len())?;
-        for _ in 0..ROUNDS {
+        for number in 0..ROUNDS {
             round()?;
             spline.solve(rows, &light)?;
             factors.clear();
+            let least = if number < PATIENT { 1.0 } else { 2.0 };
             let missed = rows.iter().zip(&spline.values).zip(allowed);
             factors.extend(missed.map(|((row, value), allowed)| {
                 let off = apart(row, value);
                 if off > *allowed && *allowed > 0.0 {
-                    (off / allowed).powf(1.25).min(100.0)
+                    (off / allowed).powf(1.25).clamp(least, 100.0)
                 } else {
                     1.0
                 }

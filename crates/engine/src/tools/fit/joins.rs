@@ -12,8 +12,9 @@ use crate::error::{Result, vec_with_room};
 use crate::math::quaternion::{angle, exp, log};
 use crate::path::quaternion_spline::bezier;
 
-/// Step of the differences that give the change of the turning along the curve.
-const STEP: f64 = 1e-4;
+/// Step of the differences that give the change of the turning along the curve: so long that rounding
+/// is nothing beside what a few frames turn, and exact where the spin is a parabola of the way.
+const STEP: f64 = 1e-2;
 
 /// Sweeps over all joins, there and back; each leaves a quarter of what is to do.
 const SWEEPS: usize = 12;
@@ -21,6 +22,9 @@ const SWEEPS: usize = 12;
 /// Where the pace changes by more than this share in a frame, a cubic of the way cannot turn evenly:
 /// such joins are skipped, so that their neighbours do not follow them.
 const STEEP: f64 = 0.5;
+
+/// Ways at which a piece that turns otherwise is held against what it was.
+const NEAR_AT: [f64; 3] = [0.25, 0.5, 0.75];
 
 /// Rounds in which joins are left as they were, since poses were missed.
 const ROUNDS: usize = 6;
@@ -41,8 +45,11 @@ impl Piece {
 
     /// Its control quaternions.
     pub(super) fn control(&self) -> [DQuat; 4] {
-        let [leave, reach] = self.velocities.map(|velocity| velocity / 3.0);
-        let (a, b) = (self.start.turn, self.end.turn);
+        Self::between([self.start.turn, self.end.turn], self.velocities)
+    }
+
+    fn between([a, b]: [DQuat; 2], velocities: [DVec3; 2]) -> [DQuat; 4] {
+        let [leave, reach] = velocities.map(|velocity| velocity / 3.0);
         [a, exp(leave) * a, exp(-reach) * b, b]
     }
 
@@ -51,9 +58,9 @@ impl Piece {
         let control = self.control();
         let [speed, faster] = self.speeds[side];
         let end = [0.0, 1.0][side];
-        let q = |k: f64| bezier(&control, (end - k * STEP).abs());
-        let turned = |a: f64, b: f64| log(q(b) * q(a).conjugate()) / STEP;
-        let bend = (turned(1.0, 2.0) - turned(0.0, 1.0)) / STEP;
+        let q = [0.0, 1.0, 2.0, 3.0].map(|k| bezier(&control, (end - k * STEP).abs()));
+        let turned = |k: usize| log(q[k + 1] * q[k].conjugate());
+        let bend = (3.0 * turned(1) - 2.0 * turned(0) - turned(2)) / (STEP * STEP);
         self.velocities[side] * faster + bend * (speed * speed)
     }
 
@@ -120,7 +127,7 @@ impl Data {
             }
             let (mut from, mut met) = (0.0, true);
             for (k, piece) in pieces.iter().enumerate() {
-                if !piece.holds && !self.meets(piece, from)? {
+                if !piece.holds && !self.meets(piece, before[k], from)? {
                     (stays[k], stays[k + 1]) = (true, true);
                     met = false;
                 }
@@ -133,9 +140,16 @@ impl Data {
         Ok(())
     }
 
-    /// Whether the views of a piece that begins at a time are those of the poses.
-    fn meets(&self, piece: &Piece, from: f64) -> Result<bool> {
+    /// Whether the views of a piece that begins at a time are those of the poses, and as near as they
+    /// must be to those with the velocities that it had.
+    fn meets(&self, piece: &Piece, had: [DVec3; 2], from: f64) -> Result<bool> {
         let (timing, control) = (timing(&piece.pace)?, piece.control());
+        let was = Piece::between([piece.start.turn, piece.end.turn], had);
+        let far =
+            |way: f64| 2.0 * log(bezier(&control, way) * bezier(&was, way).conjugate()).length();
+        if NEAR_AT.iter().any(|way| far(*way) > self.near[1]) {
+            return Ok(false);
+        }
         let to = from + f64::from(piece.frames);
         let range = [from, to].map(|end| self.times.partition_point(|time| *time < end));
         Ok((range[0]..range[1])

@@ -280,7 +280,7 @@ impl Data {
     }
 
     /// Whether a part is a cut: neither side says anything of the other.
-    fn is_cut(&self, part: &Part) -> bool {
+    pub(super) fn is_cut(&self, part: &Part) -> bool {
         let (first, last) = (part.range.start(), part.range.end());
         *last == first + 1 && self.cuts.binary_search(first).is_ok()
     }

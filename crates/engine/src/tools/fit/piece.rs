@@ -92,6 +92,10 @@ impl Course {
         [&self.states[0], &self.states[MOMENTS]]
     }
 
+    fn end(&self) -> Sample {
+        self.states[MOMENTS].sample
+    }
+
     fn turns(&self) -> [DQuat; 2] {
         [self.joint.sample.turn, self.states[MOMENTS].sample.turn]
     }
@@ -156,7 +160,7 @@ impl Data {
         }
         match search(true)? {
             Some(piece) => Ok(piece),
-            None => self.straight(&frame),
+            None => self.straight(frame.frames, joint, frame.end()),
         }
     }
 
@@ -176,7 +180,7 @@ impl Data {
             Kind::Moves => self.moving(&course)?,
             _ => self.on_the_spot(&course)?,
         };
-        moved.map_or_else(|| self.straight(&course), Ok)
+        moved.map_or_else(|| self.straight(course.frames, joint, course.end()), Ok)
     }
 
     /// The whole frame nearest to the next pose behind a frame.
@@ -193,24 +197,24 @@ impl Data {
     }
 
     /// What there must be where nothing else will do.
-    fn straight(&self, course: &Course) -> Result<Piece> {
-        let end = course.states[MOMENTS].sample;
-        let [a, b] = [course.joint.sample, end].map(|sample| sample.position);
+    pub(super) fn straight(&self, frames: f64, joint: Joint, end: Sample) -> Result<Piece> {
+        let start = joint.sample;
+        let [a, b] = [start, end].map(|sample| sample.position);
         // Between two equal views there is no section.
-        if !(a.distance(b) > 1e-6 * self.tolerance) && self.same_view(course) {
-            return Ok(rest(course.frames, course.joint));
+        if !(a.distance(b) > 1e-6 * self.tolerance) && self.same_view(&start, &end) {
+            return Ok(rest(frames, joint));
         }
-        let turned = log(end.turn * course.joint.sample.turn.conjugate());
+        let turned = log(end.turn * start.turn.conjugate());
         Ok(Piece {
-            frames: whole(course.frames),
-            start: course.joint.sample,
+            frames: whole(frames),
+            start,
             end,
             curve: Some(Cubic::hermite(a, b, b - a, b - a)),
             pace: own::distance(&[[0.0, 0.0], [1.0, 1.0]])?,
             velocities: [turned; 2],
-            zoom_slopes: [end.zoom - course.joint.sample.zoom; 2],
+            zoom_slopes: [end.zoom - start.zoom; 2],
             length: a.distance(b),
-            speeds: [[1.0 / course.frames, 0.0]; 2],
+            speeds: [[1.0 / frames, 0.0]; 2],
             holds: false,
             corner: false,
         })
@@ -254,15 +258,14 @@ impl Data {
         self.finished(course, way, &place)
     }
 
-    fn same_view(&self, course: &Course) -> bool {
-        let ([a, b], zooms) = (course.turns(), course.zooms());
-        angle(a, b) < 1e-3 * self.angle && (zooms[1] - zooms[0]).abs() < 1e-6
+    fn same_view(&self, a: &Sample, b: &Sample) -> bool {
+        angle(a.turn, b.turn) < 1e-3 * self.angle && (b.zoom - a.zoom).abs() < 1e-6
     }
 
     /// On the spot, by an even pace.
     fn on_the_spot(&self, course: &Course) -> Result<Option<Piece>> {
         // From and to the same view there is no section.
-        if self.same_view(course) {
+        if self.same_view(&course.joint.sample, &course.end()) {
             return Ok(None);
         }
         let pace = own::distance(&[[0.0, 0.0], [1.0, 1.0]])?;
@@ -313,6 +316,16 @@ impl Data {
             if !(far <= self.tolerance && raw.off(bezier(&control, way), zoom) <= self.angle) {
                 return Ok(None);
             }
+        }
+        let far = course.states.iter().zip(&ways).any(|(state, way)| {
+            let [far, zoom] = [
+                place(*way).distance(state.sample.position),
+                state.sample.zoom,
+            ];
+            far > self.near[0] || state.sample.off(bezier(&control, *way), zoom) > self.near[1]
+        });
+        if far && !course.must {
+            return Ok(None);
         }
         let piece = Piece {
             frames: whole(frames),
@@ -465,7 +478,7 @@ fn project(curve: &Cubic, points: &[DVec3], places: &mut [f64]) {
     }
 }
 
-fn rest(frames: f64, joint: Joint) -> Piece {
+pub(super) fn rest(frames: f64, joint: Joint) -> Piece {
     Piece {
         frames: whole(frames),
         start: joint.sample,
@@ -482,7 +495,7 @@ fn rest(frames: f64, joint: Joint) -> Piece {
 }
 
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-fn whole(frames: f64) -> u32 {
+pub(super) fn whole(frames: f64) -> u32 {
     frames as u32
 }
 

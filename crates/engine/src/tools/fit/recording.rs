@@ -75,6 +75,7 @@ impl Data {
             gaps: 0,
             tolerance: tolerance.position,
             angle: tolerance.angle.to_radians(),
+            near: [f64::INFINITY; 2],
             fps,
             space,
         };

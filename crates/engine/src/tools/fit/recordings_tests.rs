@@ -7,7 +7,7 @@ use crate::path::{Sampler, Timeline};
 
 /// What is recorded.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Flight {
+pub(super) enum Flight {
     /// Carried by hand.
     Hand,
     Line,
@@ -20,7 +20,7 @@ enum Flight {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Noise {
+pub(super) enum Noise {
     None,
     /// Its standard deviation.
     Gaussian(f64),
@@ -29,7 +29,7 @@ enum Noise {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Event {
+pub(super) enum Event {
     None,
     Pause,
     Gap,
@@ -38,19 +38,19 @@ enum Event {
 }
 
 #[derive(Clone, Copy, Debug)]
-struct Recording {
-    flight: Flight,
+pub(super) struct Recording {
+    pub(super) flight: Flight,
     /// Poses a second.
-    rate: f64,
+    pub(super) rate: f64,
     /// Greatest deviation of a time, in steps.
-    jitter: f64,
+    pub(super) jitter: f64,
     /// Share of poses lost.
-    drops: f64,
-    noise: Noise,
-    event: Event,
+    pub(super) drops: f64,
+    pub(super) noise: Noise,
+    pub(super) event: Event,
 }
 
-const PLAIN: Recording = Recording {
+pub(super) const PLAIN: Recording = Recording {
     flight: Flight::Hand,
     rate: 30.0,
     jitter: 0.0,
@@ -78,7 +78,7 @@ fn pose(flight: Flight, t: f64) -> Pose {
 }
 
 /// Poses, seconds, and the clean poses at these.
-fn recorded(what: Recording, random: &mut Random) -> (Vec<Pose>, Vec<f64>, Vec<Pose>) {
+pub(super) fn recorded(what: Recording, random: &mut Random) -> (Vec<Pose>, Vec<f64>, Vec<Pose>) {
     let (mut poses, mut seconds, mut clean) = (Vec::new(), Vec::new(), Vec::new());
     let mut signed = || 2.0 * random.unit() - 1.0;
     for k in 0..=(SECONDS * what.rate) as usize {
@@ -111,12 +111,12 @@ fn recorded(what: Recording, random: &mut Random) -> (Vec<Pose>, Vec<f64>, Vec<P
     (poses, seconds, clean)
 }
 
-fn made(poses: &[Pose], seconds: &[f64], fps: f64, options: &Options) -> Fitted {
+pub(super) fn made(poses: &[Pose], seconds: &[f64], fps: f64, options: &Options) -> Fitted {
     fit(poses, Some(seconds), fps, options, &mut |_, _| true).unwrap()
 }
 
 /// Greatest and root mean square distance from the clean flight.
-fn from_clean(path: &CameraPath, seconds: &[f64], fps: f64, clean: &[Pose]) -> [f64; 2] {
+pub(super) fn from_clean(path: &CameraPath, seconds: &[f64], fps: f64, clean: &[Pose]) -> [f64; 2] {
     let sampler = Sampler::new(path, &Timeline::new(path).unwrap()).unwrap();
     let (mut most, mut sum) = (0.0_f64, 0.0);
     for (when, pose) in seconds.iter().zip(clean) {

@@ -74,6 +74,14 @@ impl Data {
         Ok((count, Some(piece)))
     }
 
+    /// Across a cut, to where the other side is at the frame of its end.
+    pub(super) fn crossing(&self, motion: &Motion, number: usize, joint: Joint) -> Result<Piece> {
+        let [begin, end] = motion.stretches[number].frames;
+        let beyond = motion.stretches.get(number + 1);
+        let to = beyond.unwrap_or(&motion.stretches[number]).at(end).sample;
+        self.straight(end - begin, joint, to)
+    }
+
     /// All of a stretch as one piece; none if it cannot be one.
     /// Tangents of such lengths, in ways, are tried where those of the splines lead nowhere.
     fn whole(
