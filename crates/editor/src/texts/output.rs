@@ -33,8 +33,10 @@ texts! {
             "Zwischen {0} und {1} kommt die Kamera an den Ort, auf den sie blickt: Dort behält sie ihre Richtung";
         over_target: "Between {0} and {1} the camera is straight above or below its target, where its picture flips",
             "Zwischen {0} und {1} kommt die Kamera genau über oder unter ihr Ziel: Dort dreht sich ihr Bild";
-        length_changed: "Now {1} instead of {0}", "Jetzt {1} statt {0}";
-        cannot_keep: "{0} cannot be kept: {1}", "{0} lassen sich nicht halten: {1}";
+        length_changed: "The film is now {0} s long (was {1} s): Ctrl+Z undoes it",
+            "Der Film dauert jetzt {0} s (vorher {1} s): Strg+Z macht es rückgängig";
+        path_length_changed: "The path now takes {0} s (was {1} s): Ctrl+Z undoes it",
+            "Die Bahn dauert jetzt {0} s (vorher {1} s): Strg+Z macht es rückgängig";
         nothing_to_redo: "There is nothing to redo", "Es gibt nichts zu wiederholen";
     }
 }

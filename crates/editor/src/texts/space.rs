@@ -127,9 +127,13 @@ texts! {
         last_frame_tip: "Type the number of frames of the whole flight: each section keeps its share", "Wie viele Bilder der ganze Flug haben soll: jeder Abschnitt behält seinen Anteil";
         duration: "Duration", "Dauer";
         duration_tip: "Type the duration of the whole flight: each section keeps its share", "Wie lange der ganze Flug dauern soll: jeder Abschnitt behält seinen Anteil";
-        keep_length: "Keep the duration", "Dauer halten";
-        keep_length_tip: "Keep the duration of the whole flight: the frames of its sections adapt",
-            "Was auch geändert wird, der ganze Flug dauert so lange wie jetzt: die Bilder der Abschnitte passen sich an";
+        times: "Times of the keys", "Zeiten der Schlüssel";
+        times_fixed: "fixed", "fest";
+        times_fixed_tip: "The times are fixed: when a point is moved, added or removed, all other keys keep their times. Click: times follow the speed",
+            "Die Zeiten sind fest: Wird ein Punkt bewegt, eingefügt oder gelöscht, behalten alle anderen Schlüssel ihre Zeit. Klick: Zeiten folgen dem Tempo";
+        times_follow: "follows speed", "folgt dem Tempo";
+        times_follow_tip: "The times follow the speed: a longer way takes longer, unless its section has frames of its own (F3). Click: times are fixed",
+            "Die Zeiten folgen dem Tempo: Ein längerer Weg dauert länger, außer sein Abschnitt hat eigene Bilder (F3). Klick: Zeiten sind fest";
         rate: "Frames per second", "Bilder je Sekunde";
         rate_tip: "Frames per second; keys keep their time in seconds",
             "Bilder in einer Sekunde; was geschieht, behält seine Sekunde";

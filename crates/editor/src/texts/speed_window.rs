@@ -110,6 +110,7 @@ texts! {
         hold_hint: "Frames that the camera rests before it goes on",
             "Bilder, die die Kamera ruht, bevor es weitergeht";
         fps: "Frames per second", "Bilder pro Sekunde";
-        fps_hint: "The film's frame rate; it tells seconds only", "Bildrate des Films; nur für die Sekunden";
+        fps_hint: "The film's frame rate. Fixed times stay the same in seconds; otherwise the frames stay, and the film gets faster or slower",
+            "Bildrate des Films. Feste Zeiten bleiben in Sekunden gleich; sonst bleiben die Bilder, und der Film wird schneller oder langsamer";
     }
 }

@@ -30,12 +30,11 @@ texts! {
         sections: "{0} frames before it · {1} behind it", "{0} Bilder davor · {1} dahinter";
         section: "{0} frames before it", "{0} Bilder davor";
         first_stays: "The first one stays at the beginning", "Der erste bleibt am Anfang";
-        end_is_kept: "The padlock keeps the end", "Das Schloss hält das Ende";
         no_copy: "No copy here: there is a key, or nothing would move between two equal ones",
             "Hier keine Kopie: es gibt schon einen Schlüssel, oder zwischen zwei gleichen bewegte sich nichts";
         along: "What follows moves along", "Folgendes rückt mit";
-        along_tip: "A key that is dragged takes all behind it along, and the flight gets longer or shorter; not while the padlock keeps the duration",
-            "Ein gezogener Schlüssel nimmt alles dahinter mit, und der Flug wird länger oder kürzer; nicht, solange das Schloss die Dauer hält";
+        along_tip: "A key that is dragged takes all behind it along, and the flight gets longer or shorter",
+            "Ein gezogener Schlüssel nimmt alles dahinter mit, und der Flug wird länger oder kürzer";
         height: "Height of the graph", "Höhe des Verlaufs";
         limit: "limit {0}", "Grenze {0}";
         move_keys: "Ctrl + arrow keys on the ruler", "Strg + Pfeiltasten auf dem Lineal";
