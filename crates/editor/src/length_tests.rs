@@ -14,6 +14,10 @@ fn frames(window: &Window) -> usize {
     document.timeline(Timeline::frame_count).unwrap().unwrap()
 }
 
+fn seconds(window: &Window) -> f64 {
+    frames(window) as f64 / window.state().document.info().fps
+}
+
 fn hold(window: &Window, frames: u32) -> Edit {
     let editor = window.state();
     let at = editor.document.selection();
@@ -210,7 +214,7 @@ fn fixed_times_stay_whatever_is_done_to_other_points() {
                     click(&mut window, texts.times);
                 }
                 let (before, path) = (reached(&window), window.state().document.path().clone());
-                let length = frames(&window);
+                let length = seconds(&window);
                 operate(&mut window);
                 assert!(window.state().document.is_modified(), "{what}");
                 let after = reached(&window);
@@ -225,11 +229,11 @@ fn fixed_times_stay_whatever_is_done_to_other_points() {
                     fixed || follows,
                     "{what}, {fixed}: {before:?} {after:?}"
                 );
-                let same = frames(&window) == length || what.contains("rate");
+                let same = seconds(&window) == length;
                 assert!(same || !fixed, "{what}");
                 let said = said(&window).unwrap_or_default();
                 let tells = said != said_besides_length(&window).unwrap_or_default();
-                assert_eq!(tells, !stay, "{what}, {fixed}: {said}");
+                assert_eq!(tells, !same, "{what}, {fixed}: {said}");
                 while window.state().document.can_undo() {
                     press(&mut window, Modifiers::CTRL, Key::Z);
                 }

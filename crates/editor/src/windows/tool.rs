@@ -182,12 +182,18 @@ impl ToolWindow {
                 }
                 Unit::Choice(names) => {
                     ui.label(label).on_hover_text(hint);
-                    for (at, name) in (0_u32..).map(f64::from).zip(names) {
-                        let chosen = self.numbers.get(start) == Some(&at);
-                        let choice = theme::choice(ui, chosen, language.choice(name));
-                        if choice.on_hover_text(hint).clicked() {
-                            self.set(start, at);
-                        }
+                    let words = names.iter().map(|name| language.choice(name));
+                    let words: Vec<_> = (0_u32..).map(f64::from).zip(words).collect();
+                    for row in theme::side_by_side(ui, &words) {
+                        ui.horizontal(|ui| {
+                            for &(at, word) in row {
+                                let chosen = self.numbers.get(start) == Some(&at);
+                                let choice = theme::choice(ui, chosen, word);
+                                if choice.on_hover_text(hint).clicked() {
+                                    self.set(start, at);
+                                }
+                            }
+                        });
                     }
                 }
                 Unit::Lattice => {

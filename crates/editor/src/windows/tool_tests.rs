@@ -144,7 +144,7 @@ fn a_move_leaves_the_film_as_it_is_unless_it_is_to_replace_it() {
             assert_eq!(places(&path(&window)), [&old[..], &made].concat());
             press(&mut window, Modifiers::CTRL, Key::Z);
             assert_eq!(path(&window), film, "{}", tool.name);
-            assert!(!window.state().document.can_undo());
+            assert!(!window.state().document.is_modified());
         }
     }
 }
