@@ -201,7 +201,7 @@ TASKS = ((points, 12, 11), (look, 4, 3), (slow_start, 3, 2), (zoom, 2, 2), (play
          (copy, 3, 3), (seconds, 2, 2), (ahead, 1, 1), (move, 2, 2))
 """With the actions in the window before the desk, by its shortest way, and in this one."""
 
-OTHERS = ((tasks_time.slow, 4, 2), (tasks_time.key, 1, 1), (tasks_time.lock, 3, 3),
+OTHERS = ((tasks_time.slow, 4, 2), (tasks_time.key, 1, 1), (tasks_time.view, 3, 2),
           (tasks_time.copy, 4, 4), (tasks_time.cure, 3, 2), (tasks_time.orbit, 6, 4))
 
 

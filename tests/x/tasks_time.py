@@ -6,7 +6,7 @@ import subprocess
 
 from hands import distance, looks_at, window_for
 from harness import check
-from panel import BUTTON, graph, rail_of, timeline
+from panel import BUTTON, graph, rail_of
 
 OBJECT = """v -0.4 0 -0.4
 v 0.4 0 -0.4
@@ -108,10 +108,9 @@ def key(hand):
     check(all(later[at] == frames[at] for at in stay), f"{frames} -> {later}")
 
 
-def lock(hand):
-    """12 seconds are kept, and a view is added."""
+def view(hand):
+    """A view is added to 12 seconds, which stay."""
     hand.number(hand.bar(3), 12)
-    hand.click(spot((612, hand.server.geometry(hand.window)[3] - timeline(800) + 16)))
     hand.keys("alt+Insert")
     poses = hand.saved()
     check(len(poses) == 12 * FPS, f"{len(poses)} poses")

@@ -255,13 +255,21 @@ impl Document {
     /// # Errors
     /// Why one of them is impossible; the document is unchanged then.
     pub fn apply_all(&mut self, edits: impl IntoIterator<Item = Edit>) -> Result<()> {
+        self.within_step(|document| edits.into_iter().try_for_each(|edit| document.apply(edit)))
+    }
+
+    /// Makes changes as one step of the history, or as part of the open step; none after an error.
+    pub(super) fn within_step(
+        &mut self,
+        change: impl FnOnce(&mut Self) -> Result<()>,
+    ) -> Result<()> {
         let own = !self.in_step();
         if own {
             self.begin_step();
         }
         let before = self.content.clone();
         let name = self.open.as_ref().and_then(|open| open.name);
-        let done = edits.into_iter().try_for_each(|edit| self.apply(edit));
+        let done = change(self);
         if done.is_err() {
             self.put(before);
             if let Some(open) = &mut self.open {

@@ -6,6 +6,7 @@ use vides_engine::path::{CameraPath, Change, Timeline};
 
 use super::Edit;
 use super::editing::Document;
+use super::key_times::KeyTimes;
 use super::step_name::StepName;
 use crate::error::{Result, vec_with_room};
 
@@ -17,21 +18,19 @@ impl Document {
     /// `ErrorKind::Range` if there are no such points; `ErrorKind::Argument` if fewer than two
     /// remain; `ErrorKind::Memory`.
     pub fn remove_points(&mut self, points: &[usize]) -> Result<()> {
-        let wanted = self.frames_without(points)?;
         let removals = points.iter().rev().map(|&at| Edit::RemovePoint { at });
-        self.in_one_step(|document| {
-            document.apply_all(removals)?;
-            document.keep_frames(&wanted)
-        })
+        self.apply_all_keeping_times(removals)
     }
 
     /// Inserts copied points behind point `at`, where they were, as one step. They keep their
-    /// seconds; the sections that join them have the mean speed of all others.
+    /// seconds; the sections that join them have the mean speed of all others. With `fixed_times`
+    /// they share the time up to the next point instead, which keeps its own.
     ///
     /// # Errors
     /// As [`Edit::InsertPath`].
-    pub fn paste_points(&mut self, at: usize, copied: &Self) -> Result<()> {
+    pub fn paste_points(&mut self, at: usize, copied: &Self, fixed_times: bool) -> Result<()> {
         let before = self.path().points.len();
+        let mut times = KeyTimes::of(self)?;
         let (block, mut wanted) = copied.at_rate(self.info().fps)?;
         for fixed in &mut wanted {
             fixed.point += at + 1;
@@ -42,13 +41,18 @@ impl Document {
             fit: vides_engine::tools::block::Fit::None,
             with_targets: false,
         };
-        self.in_one_step(|document| {
+        self.within_step(|document| {
             document.name_step(StepName::PastePoints);
             document.apply(insert)?;
             document.keep_frames(&wanted)?;
             let last = at + document.path().points.len() - before;
             let joins = document.timeline(|timeline| joins(timeline, [at, last]))?;
-            document.keep_frames(&joins)
+            document.keep_frames(&joins)?;
+            if fixed_times {
+                times.insert_points(document.path(), at + 1..last + 1);
+                document.keep_frames(&times.wanted(document)?)?;
+            }
+            Ok(())
         })
     }
 
@@ -70,7 +74,7 @@ impl Document {
         if has_object {
             path.space = self.path().space;
         }
-        self.in_one_step(|document| {
+        self.within_step(|document| {
             document.name_step(StepName::PastePoints);
             document.apply(Edit::ReplacePath(Box::new(path)))?;
             document.apply(Edit::SetInfo(Box::new(info)))?;
@@ -80,16 +84,6 @@ impl Document {
             }
             document.keep_frames(&wanted)
         })
-    }
-
-    fn in_one_step(&mut self, change: impl FnOnce(&mut Self) -> Result<()>) -> Result<()> {
-        self.begin_step();
-        let done = change(self);
-        match done {
-            Ok(()) => self.end_step(),
-            Err(_) => self.cancel_step(),
-        }
-        done
     }
 
     /// Fixes the frames of those sections that would have others.
@@ -122,36 +116,6 @@ impl Document {
             });
         }
         self.apply_all(edits)
-    }
-
-    /// The frames of all sections once these points are removed.
-    fn frames_without(&self, removed: &[usize]) -> Result<Vec<Fixed>> {
-        let path = self.path();
-        self.timeline(|timeline| {
-            let mut kept: Vec<Fixed> = vec_with_room(timeline.section_count())?;
-            // Before the first one that stays: on a closed path part of the last section.
-            let mut lead = 0;
-            for at in 0..timeline.section_count() {
-                let (frames, hold) = times(path, timeline, at);
-                let section = timeline.section(at);
-                let before = removed.partition_point(|&point| point < section.point);
-                if removed.get(before) != Some(&section.point) {
-                    kept.push(Fixed {
-                        point: section.point - before,
-                        orientation: section.orientation,
-                        frames: whole(frames),
-                    });
-                } else if let Some(last) = kept.last_mut() {
-                    last.frames = whole(last.frames as usize + frames + hold);
-                } else {
-                    lead += frames + hold;
-                }
-            }
-            if let Some(last) = kept.last_mut().filter(|_| path.closed) {
-                last.frames = whole(last.frames as usize + lead);
-            }
-            Ok(kept)
-        })?
     }
 
     /// The frames of all sections from one point to a later one, which becomes the first.
@@ -192,16 +156,6 @@ impl Document {
             }
         }
         Ok((path, wanted))
-    }
-}
-
-/// Frames of a section, and those before them in which its first key rests.
-fn times(path: &CameraPath, timeline: &Timeline, at: usize) -> (usize, usize) {
-    let section = timeline.section(at);
-    let key = &path.points[section.point].orientations[section.orientation];
-    match section.change {
-        Change::Nothing => (0, 0),
-        _ => (section.frames, key.hold as usize),
     }
 }
 

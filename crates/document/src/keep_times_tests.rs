@@ -48,7 +48,7 @@ fn at_another_rate_the_whole_takes_as_long() {
         };
         let path = CameraPath::default();
         let mut document = Document::from_parts(path, info).unwrap();
-        document.paste_points(0, &copied).unwrap();
+        document.paste_points(0, &copied, false).unwrap();
         let seconds = frames(&document, 1, 7) as f64 / fps;
         let before = frames(&copied, 0, 6) as f64 / copied.info().fps;
         assert!(

@@ -29,6 +29,7 @@ mod in_scene;
 mod info;
 mod inputs;
 mod keep_times;
+mod key_times;
 mod keys_to_path;
 mod lapse;
 mod loading;

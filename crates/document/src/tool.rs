@@ -246,6 +246,13 @@ impl Tool {
         matches!(self.kind, Kind::Fit).then(|| Tolerance::usual(poses).position)
     }
 
+    /// Whether it can make its path a part of the present one: number `put`, which is 0 where it
+    /// replaces it, 1 after the current point, 2 after the last one.
+    #[must_use]
+    pub fn can_add(&self) -> bool {
+        self.place_of("put").is_some()
+    }
+
     /// Its default numbers, fitted to the object, the path's points and the frame count.
     ///
     /// # Errors
@@ -338,15 +345,17 @@ impl Tool {
         Parameter::numbers(self.tables[1], second, half_size)?;
         let given = ToolArguments::new(self, document, numbers);
         let path = document.path();
-        let block = |block: CameraPath, fit: f64, with_targets| Edit::InsertPath {
-            at: document.selection().point,
+        let block = |at: usize, block: CameraPath, with_targets| Edit::InsertPath {
+            at,
             block: Box::new(block),
-            fit: FITS[chosen(fit).min(FITS.len() - 1)],
+            fit: FITS[chosen(given.number("fit")).min(FITS.len() - 1)],
             with_targets,
         };
-        let put = |made: CameraPath| match given.number("put") {
-            put if put >= 1.0 => block(made, put - 1.0, true),
-            _ => Edit::ReplacePath(Box::new(made)),
+        let here = document.selection().point;
+        let put = |made: CameraPath| match chosen(given.number("put")) {
+            0 => Edit::ReplacePath(Box::new(made)),
+            1 => block(here, made, true),
+            _ => block(path.points.len() - 1, made, true),
         };
         let edit = match (self.kind, material) {
             (Kind::Move(known), _) => {
@@ -372,7 +381,7 @@ impl Tool {
             },
             (Kind::Insert, ToolInput::Block(of_file)) => {
                 let with_targets = given.number(SEEN.name) != 0.0;
-                block(of_file.try_clone()?, given.number("fit"), with_targets)
+                block(here, of_file.try_clone()?, with_targets)
             }
             (Kind::Blend, ToolInput::Block(other)) => {
                 let weight = given.number("weight");

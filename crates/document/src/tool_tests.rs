@@ -184,18 +184,22 @@ fn a_move_lies_around_the_object_and_goes_on_behind_the_current_point() {
         let [x, _, z] = point.position.to_array();
         assert!((x.hypot(z) - 1.0).abs() < 1e-12);
     }
-    for (put, wanted) in [
-        (1.0, Fit::None),
-        (2.0, Fit::Move),
-        (3.0, Fit::Turn),
-        (4.0, Fit::Scale),
-    ] {
-        let Some(Edit::InsertPath { at, fit, .. }) =
-            edit(&document, "orbit", &[("put", put)]).unwrap()
-        else {
-            panic!("no block");
-        };
-        assert_eq!((at, fit), (1, wanted));
+    let last = document.path().points.len() - 1;
+    for (put, expected) in [(1.0, 1), (2.0, last)] {
+        for (place, wanted) in [
+            (0.0, Fit::None),
+            (1.0, Fit::Move),
+            (2.0, Fit::Turn),
+            (3.0, Fit::Scale),
+        ] {
+            let numbers = [("put", put), ("fit", place)];
+            let Some(Edit::InsertPath { at, fit, .. }) =
+                edit(&document, "orbit", &numbers).unwrap()
+            else {
+                panic!("no block");
+            };
+            assert_eq!((at, fit), (expected, wanted));
+        }
     }
 }
 

@@ -203,7 +203,10 @@ impl Editor {
 
     /// Does an edit; a refusal goes to the output field.
     pub(crate) fn edit(&mut self, edit: Edit) -> bool {
-        let done = self.document.apply(edit);
+        let done = match self.times_are_fixed() {
+            true => self.document.apply_keeping_times(edit),
+            false => self.document.apply(edit),
+        };
         self.tell(done)
     }
 
@@ -215,7 +218,10 @@ impl Editor {
 
     /// The same, as part of an open step.
     pub(super) fn edit_together(&mut self, edits: impl IntoIterator<Item = Edit>) -> bool {
-        let done = self.document.apply_all(edits);
+        let done = match self.times_are_fixed() {
+            true => self.document.apply_all_keeping_times(edits),
+            false => self.document.apply_all(edits),
+        };
         self.tell(done)
     }
 

@@ -117,7 +117,8 @@ impl Editor {
             true => self.document.replace_by_points(&block, self.fixed_speeds),
             false => {
                 let at = self.document.selection().point;
-                self.document.paste_points(at, &block)
+                self.document
+                    .paste_points(at, &block, self.times_are_fixed())
             }
         };
         if let Err(error) = done {

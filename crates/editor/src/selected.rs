@@ -107,11 +107,11 @@ impl Editor {
         };
     }
 
-    /// Removes all selected points in one step; the keys beside keep their times.
+    /// Removes all selected points in one step.
     pub(crate) fn remove_selected(&mut self) -> bool {
         let points = self.all_selected();
-        let done = self.document.remove_points(&points);
-        self.tell(done)
+        let points = points.into_iter().rev();
+        self.edit_all(points.map(|at| Edit::RemovePoint { at }))
     }
 
     /// Moves all selected points, in their order, before the one that is number `before` now.

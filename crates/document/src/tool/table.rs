@@ -56,12 +56,21 @@ pub(super) const ABOUT: Parameter = Parameter::choice(
     &["middle", "origin", "point", "target"],
     0,
 );
-pub(super) const PUT: &[Parameter] = &[Parameter::choice(
-    "put",
-    "as a new path, or after the current point, and how it is placed there",
-    &["new", "none", "move", "turn", "scale"],
-    0,
-)];
+const fn placed(default: usize) -> Parameter {
+    let all = &["none", "move", "turn", "scale"];
+    Parameter::choice("fit", "how it is placed there", all, default)
+}
+
+/// What a move has besides its own.
+pub(super) const PUT: &[Parameter] = &[
+    Parameter::choice(
+        "put",
+        "in place of the film, after the current point, or after the last one",
+        &["replace", "insert", "append"],
+        0,
+    ),
+    placed(0),
+];
 
 const TOLERANCE: Parameter = Parameter {
     unit: Unit::Length,
@@ -183,12 +192,7 @@ pub(super) const TOOLS: &[Tool] = &[
         kind: Kind::Insert,
         tables: [
             &[
-                Parameter::choice(
-                    "fit",
-                    "how it is placed there",
-                    &["none", "move", "turn", "scale"],
-                    1,
-                ),
+                placed(1),
                 Parameter {
                     default: 1.0,
                     ..SEEN

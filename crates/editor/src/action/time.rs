@@ -21,8 +21,8 @@ pub(crate) enum TimeAction {
     Rate(f64),
     SwitchLoops,
     SwitchOnlySelected,
-    /// Keep the length of the path whatever is changed, or no longer.
-    SwitchKeepsLength,
+    /// Keep the times of keys in later edits, or let them follow the speed.
+    SwitchFixedTimes,
     /// What follows a key that is moved in time moves along, or no longer.
     SwitchMovesAlong,
     /// Move or copy a key in time, in place of what the open step has done.

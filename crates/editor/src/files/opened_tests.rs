@@ -14,7 +14,6 @@ use crate::tests::*;
 fn moved_on(options: Options) -> Window {
     let mut window = window_of(options, LARGE, 1.0, Theme::Dark);
     window.state_mut().windows.recovery = None;
-    click_button(&mut window, |texts| texts.space.keep_length);
     let editor = window.state_mut();
     editor.setup.view = View {
         rotation: 40.0,
@@ -29,7 +28,6 @@ fn moved_on(options: Options) -> Window {
         last: 20.0,
     }));
     window.run();
-    assert!(window.state().keeps_length());
     assert!(window.state().playing.frame().is_some());
     window
 }
@@ -43,7 +41,6 @@ fn all_show_the_first_point(window: &mut Window, what: &str) {
     assert_eq!(editor.frame().unwrap(), 1.0, "{what}");
     assert_eq!(editor.setup.view, View::default(), "{what}");
     assert_eq!(editor.playing.seen, None, "{what}");
-    assert!(!editor.keeps_length(), "{what}");
     assert!(editor.several().is_none(), "{what}");
     let count = editor.document.path().points.len();
     let text = Editor::number_of(editor.texts().position.count, 0, count);

@@ -63,8 +63,12 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     } else {
         WIDE
     };
-    let small = if of_scene { 5.0 } else { 4.0 };
-    let others = 3.0 * BUTTON + small * SMALL + (5.0 + small) * NARROW + 3.0 * groups;
+    let small = if of_scene { 4.0 } else { 3.0 };
+    let others = 3.0 * BUTTON
+        + small * SMALL
+        + times_width(editor, ui)
+        + (6.0 + small) * NARROW
+        + 3.0 * groups;
     let field = (ui.available_width() - others) / 5.0;
     let field = field.clamp(FIELDS.1, FIELDS.0).floor();
     ui.horizontal_centered(|ui| {
@@ -81,7 +85,7 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
             numbers(editor, ui, field, (count, of_scene), groups, actions);
         }
         ui.add_space(groups - NARROW);
-        lock(editor, ui, of_scene, actions);
+        times(editor, ui, actions);
         along(editor, ui, actions);
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             camera_button(editor, ui, actions);
@@ -187,29 +191,15 @@ fn numbers(
 /// The button by which what follows a key moves along with it.
 fn along(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     let texts = &editor.texts().timeline;
-    let (on, enabled) = (editor.playing.moves_along, !editor.keeps_length());
-    ui.add_enabled_ui(enabled, |ui| {
-        let response = ui.add_sized([SMALL, theme::ROW], Button::new("").selected(on));
-        let name = texts.along;
-        response.widget_info(|| WidgetInfo::selected(Role::Button, enabled, on, name));
-        let color = ui
-            .style()
-            .interact_selectable(&response, on)
-            .fg_stroke
-            .color;
-        let color = if enabled {
-            color
-        } else {
-            color.gamma_multiply(0.5)
-        };
-        ui.painter()
-            .extend(keys_along(response.rect.center(), color));
-        let hint = texts.along_tip;
-        let response = response.on_disabled_hover_text(hint).on_hover_text(hint);
-        if response.clicked() {
-            actions.push(Action::Time(TimeAction::SwitchMovesAlong));
-        }
-    });
+    let on = editor.playing.moves_along;
+    let response = ui.add_sized([SMALL, theme::ROW], Button::new("").selected(on));
+    response.widget_info(|| WidgetInfo::selected(Role::Button, true, on, texts.along));
+    let visuals = ui.style().interact_selectable(&response, on);
+    ui.painter()
+        .extend(keys_along(response.rect.center(), visuals.fg_stroke.color));
+    if response.on_hover_text(texts.along_tip).clicked() {
+        actions.push(Action::Time(TimeAction::SwitchMovesAlong));
+    }
 }
 
 /// A key, and an arrow that takes the next one along.
@@ -228,39 +218,36 @@ fn keys_along(centre: Pos2, color: egui::Color32) -> Vec<Shape> {
     ]
 }
 
-/// The padlock that keeps the duration; that of a scene is not one path's to keep.
-fn lock(editor: &Editor, ui: &mut Ui, of_scene: bool, actions: &mut Vec<Action>) {
+/// The word that says whether times are fixed, and the button that changes it.
+fn times(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     let texts = &editor.texts().space;
-    let keeps = editor.keeps_length();
-    ui.add_enabled_ui(!of_scene, |ui| {
-        let response = ui.add_sized([SMALL, theme::ROW], Button::new("").selected(keeps));
-        let name = texts.keep_length;
-        response.widget_info(|| WidgetInfo::selected(Role::Button, !of_scene, keeps, name));
-        let visuals = ui.style().interact_selectable(&response, keeps);
-        let color = visuals.fg_stroke.color;
-        ui.painter()
-            .extend(padlock(response.rect.center(), keeps, color));
-        if response.on_hover_text(texts.keep_length_tip).clicked() {
-            actions.push(Action::Time(TimeAction::SwitchKeepsLength));
-        }
+    let (word, tip) = match editor.times_are_fixed() {
+        true => (texts.times_fixed, texts.times_fixed_tip),
+        false => (texts.times_follow, texts.times_follow_tip),
+    };
+    let response = ui.add_sized([times_width(editor, ui), theme::ROW], Button::new(word));
+    response.widget_info(|| WidgetInfo {
+        current_text_value: Some(word.to_owned()),
+        ..WidgetInfo::labeled(Role::Button, true, texts.times)
     });
+    if response.on_hover_text(tip).clicked() {
+        actions.push(Action::Time(TimeAction::SwitchFixedTimes));
+    }
 }
 
-/// Shut, or with its shackle turned aside.
-fn padlock(centre: Pos2, shut: bool, color: egui::Color32) -> [Shape; 2] {
-    let body = Rect::from_center_size(centre + vec2(0.0, 2.5), vec2(11.0, 8.0));
-    let aside = if shut { 0.0 } else { 6.0 };
-    let at = |x: f32, y: f32| centre + vec2(x + aside, y);
-    let round = (0..=8).map(|step| {
-        let angle = std::f32::consts::PI * (1.0 + step as f32 / 8.0);
-        at(3.0 * angle.cos(), -4.0 + 3.0 * angle.sin())
-    });
-    let ends = [at(-3.0, -1.5), at(3.0, if shut { -1.5 } else { -3.0 })];
-    let way = std::iter::once(ends[0]).chain(round).chain([ends[1]]);
-    [
-        Shape::rect_filled(body, 1.5, color),
-        Shape::line(way.collect(), Stroke::new(1.5, color)),
-    ]
+/// Room for either word.
+fn times_width(editor: &Editor, ui: &Ui) -> f32 {
+    let texts = &editor.texts().space;
+    let font = egui::TextStyle::Button.resolve(ui.style());
+    let width = |word: &str| {
+        let color = egui::Color32::PLACEHOLDER;
+        let galley = ui
+            .painter()
+            .layout_no_wrap(word.to_owned(), font.clone(), color);
+        galley.size().x
+    };
+    let words = [texts.times_fixed, texts.times_follow].map(width);
+    (words[0].max(words[1]) + 2.0 * NARROW).ceil()
 }
 
 /// The buttons for looping and for the pace.

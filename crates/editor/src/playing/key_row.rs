@@ -66,9 +66,9 @@ impl KeyDrag {
         ui.input_mut(|input| input.events.retain(|event| !self.typed.take(event)));
         let copies = held.ctrl || held.command;
         let marks = &editor.playing.marks;
-        let along = editor.moves_along();
+        let along = editor.playing.moves_along;
         let (least, most) = match copies {
-            false => marks.reach(self.beside, along, editor.keeps_length()),
+            false => marks.reach(self.beside, along),
             true => (
                 1 - as_count(self.from),
                 as_count(self.frames) - as_count(self.from),
@@ -150,8 +150,6 @@ impl KeyDrag {
             };
         } else if self.beside[0].is_none() {
             lines += &format!("\n{}", texts.first_stays);
-        } else if self.beside[1].is_none() && editor.keeps_length() {
-            lines += &format!("\n{}", texts.end_is_kept);
         }
         if !self.typed.text().is_empty() {
             let unit = if editor.setup.ruler_frames { "" } else { " s" };

@@ -191,11 +191,6 @@ impl Editor {
         self.playing.moves_along = !self.playing.moves_along;
     }
 
-    /// Whether what follows a key moves along with it; not where the duration is kept.
-    fn moves_along(&self) -> bool {
-        self.playing.moves_along && !self.keeps_length()
-    }
-
     /// A low window shows the graph if it is asked for there.
     fn shows_speed_graph(&self) -> bool {
         let playing = &self.playing;

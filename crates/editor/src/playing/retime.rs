@@ -23,7 +23,7 @@ impl Marks {
     }
 
     /// By how many frames a key between these may move; `moves_along`: with all behind it.
-    pub(super) fn reach(&self, beside: Beside, moves_along: bool, kept: bool) -> (i64, i64) {
+    pub(super) fn reach(&self, beside: Beside, moves_along: bool) -> (i64, i64) {
         let count = |frames: usize| i64::try_from(frames).unwrap_or(i64::MAX);
         let [Some((_, before)), after] = beside else {
             return (0, 0);
@@ -31,7 +31,6 @@ impl Marks {
         let least = 1 - count(before);
         match after.filter(|_| !moves_along) {
             Some((_, after)) => (least, count(after) - 1),
-            None if kept => (0, 0),
             None => {
                 let most = vides_engine::limits::MAX_FRAMES.saturating_sub(self.frames);
                 (least, count(most))

@@ -179,8 +179,8 @@ fn move_current(editor: &Editor, by: i64, actions: &mut Vec<Action>) {
         return;
     };
     let beside = playing.marks.beside(mark.frame);
-    let along = editor.moves_along();
-    let (least, most) = playing.marks.reach(beside, along, editor.keeps_length());
+    let along = playing.moves_along;
+    let (least, most) = playing.marks.reach(beside, along);
     let by = by.max(least).min(most);
     if let ([Some(before), after], true) = (beside, by != 0) {
         let after = after.filter(|_| !along);

@@ -13,7 +13,7 @@ impl Editor {
             TimeAction::Rate(fps) => self.set_rate(fps),
             TimeAction::SwitchLoops => self.switch_loops(context),
             TimeAction::SwitchOnlySelected => self.switch_only_selected(context),
-            TimeAction::SwitchKeepsLength => self.switch_keeps_length(),
+            TimeAction::SwitchFixedTimes => self.switch_fixed_times(),
             TimeAction::SwitchMovesAlong => self.switch_moves_along(),
             // A host has changed meanwhile what was dragged: the drag has ended.
             TimeAction::Retime(_) | TimeAction::MoveKeys(_) | TimeAction::MoveMarker { .. }

@@ -36,10 +36,13 @@ const FOLDED: &str = "folded";
 /// The key of the sliders.
 const SLIDERS: &str = "sliders";
 
+/// The key of fixed times.
+const FIXED_TIMES: &str = "fixed_times";
+
 /// The key of objects as lines.
 const WIREFRAME: &str = "wireframe";
 
-const KEYS: [&str; 17] = [
+const KEYS: [&str; 18] = [
     "version",
     "theme",
     "language",
@@ -52,6 +55,7 @@ const KEYS: [&str; 17] = [
     RULER,
     FOLDED,
     SLIDERS,
+    FIXED_TIMES,
     WIREFRAME,
     "view",
     "shown",
@@ -149,6 +153,9 @@ fn write_setup(out: &mut String, setup: &Setup) -> std::fmt::Result {
     if let Some(sliders) = setup.sliders {
         writeln!(out, "{SLIDERS} = {sliders}")?;
     }
+    if let Some(fixed) = setup.fixed_times {
+        writeln!(out, "{FIXED_TIMES} = {fixed}")?;
+    }
     let view = &setup.view;
     writeln!(out, "\n[view]")?;
     writeln!(out, "rotation_degrees = {:?}", view.rotation)?;
@@ -218,6 +225,7 @@ fn from_toml(text: &str) -> Result<Setup> {
             "safe_frame" => setup.safe_frame = field.boolean()?,
             "speed_graph" => setup.speed_graph = field.boolean()?,
             SLIDERS => setup.sliders = Some(field.boolean()?),
+            FIXED_TIMES => setup.fixed_times = Some(field.boolean()?),
             RULER => setup.ruler_frames = field.boolean()?,
             WIREFRAME => setup.wireframe = field.boolean()?,
             FOLDED => {
@@ -335,6 +343,13 @@ impl Editor {
         self.keep(SLIDERS, &sliders.to_string());
     }
 
+    /// Keeps the times of keys in later edits or lets them follow the speed, also for the next start.
+    pub(crate) fn switch_fixed_times(&mut self) {
+        let fixed = !self.times_are_fixed();
+        self.setup.fixed_times = Some(fixed);
+        self.keep(FIXED_TIMES, &fixed.to_string());
+    }
+
     /// Shows objects as lines or shaded, also for the next start.
     pub(crate) fn switch_wireframe(&mut self) {
         self.setup.wireframe = !self.setup.wireframe;
@@ -429,6 +444,7 @@ mod tests {
                 true, false, false, true, false, true, false, false, true, false, true,
             ],
             sliders: Some(true),
+            fixed_times: Some(false),
             wireframe: true,
             view: View {
                 rotation: -12.345_678_901_234_5,

@@ -279,6 +279,8 @@ pub(super) struct Setup {
     pub(super) speed_graph: bool,
     /// Whether to show sliders around the space; `None`: as the host does.
     pub(super) sliders: Option<bool>,
+    /// Whether edits keep the times of other keys; `None`: unless the host fixes the speeds.
+    pub(super) fixed_times: Option<bool>,
     /// The ruler counts frames, not seconds.
     pub(super) ruler_frames: bool,
     pub(super) folded: [bool; Fold::ALL.len()],
@@ -303,6 +305,7 @@ impl Default for Setup {
             safe_frame: false,
             speed_graph: true,
             sliders: None,
+            fixed_times: None,
             ruler_frames: false,
             folded: [false; Fold::ALL.len()],
             language: None,

@@ -30,6 +30,12 @@ fn begin(harness: &mut Window<'_>, name: &str) {
         .act(Action::Tool(ToolAction::Open(tool)), &context);
     harness.step();
     harness.step();
+    if tool.can_add() {
+        let replaces = harness.state().language().choice("replace");
+        harness.get_by_label(replaces).click();
+        harness.step();
+        harness.step();
+    }
 }
 
 fn end(harness: &mut Window<'_>, keeps: bool) {

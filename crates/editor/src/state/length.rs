@@ -1,11 +1,9 @@
-//! What is known of the length that is kept.
+//! What is known of the length of the path.
 
 /// What is known of the length; none of it is in the file.
 #[derive(Debug, Default)]
 pub(crate) struct Length {
     pub(crate) seen: Option<Seen>,
-    /// The seconds that are kept.
-    pub(crate) kept: Option<f64>,
 }
 
 /// The path as it was when its length was last looked at.

@@ -304,8 +304,8 @@ impl Editor {
         });
     }
 
-    /// Shows another document as a new window does: playhead, view, selection and padlock are not
-    /// those of the one before.
+    /// Shows another document as a new window does: playhead, view and selection are not those of the
+    /// one before.
     pub(super) fn show_anew(&mut self) {
         self.playing.show_anew(self.document.selection());
         self.points_list.show_anew();

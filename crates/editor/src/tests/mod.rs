@@ -179,12 +179,16 @@ pub(crate) fn said(window: &Window) -> Option<String> {
 
 /// The same without how the length of the path has changed.
 pub(crate) fn said_besides_length(window: &Window) -> Option<String> {
-    let change = window.state().texts().output.length_changed;
-    let begins = change.split('{').next().unwrap_or_default();
+    let texts = &window.state().texts().output;
+    let says_length = |text: &str| {
+        [texts.length_changed, texts.path_length_changed]
+            .iter()
+            .any(|change| text.starts_with(change.split('{').next().unwrap_or_default()))
+    };
     let text = said(window)?;
     match text.rsplit_once(" · ") {
-        Some((text, change)) if change.starts_with(begins) => Some(text.to_owned()),
-        _ => Some(text).filter(|text| !text.starts_with(begins)),
+        Some((text, change)) if says_length(change) => Some(text.to_owned()),
+        _ => Some(text).filter(|text| !says_length(text)),
     }
 }
 

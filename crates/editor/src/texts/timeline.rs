@@ -6,7 +6,7 @@ texts! {
     Timeline {
         unit, unit_tip, seconds, frames, all_sections, keys, key, key_at, slow_past, slow_past_hint,
         no_slow_past, rest, rest_hint, no_rest, no_rest_hint, key_tip, moved, copy_of, sections,
-        section, first_stays, end_is_kept, no_copy, along, along_tip, height, limit, move_keys,
+        section, first_stays, no_copy, along, along_tip, height, limit, move_keys,
         move_meaning, tracks, tracks_of, channel_of, path_of, keys_selected, is_pinned, position,
         rotation, scale, visible, zoom, roll, colour, intensity, cone, weights, aim_weight,
         deformation, step, linear, ramp, sine, parabolic, catmull_rom, hermite, tcb, cubic,

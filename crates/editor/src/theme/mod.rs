@@ -181,6 +181,36 @@ pub(super) fn choice(ui: &mut Ui, chosen: bool, text: &str) -> Response {
     marked(ui, chosen, text, |ui, text| ui.radio(chosen, text))
 }
 
+/// Choices in rows: two where both have room, else one.
+pub(super) fn side_by_side<'a, T>(
+    ui: &Ui,
+    mut words: &'a [(T, &'static str)],
+) -> impl Iterator<Item = &'a [(T, &'static str)]> + use<'a, T> {
+    let spacing = ui.spacing();
+    let (mark, gap) = (
+        spacing.icon_width + spacing.icon_spacing,
+        spacing.item_spacing.x,
+    );
+    let font = egui::TextStyle::Button.resolve(ui.style());
+    let (painter, room) = (ui.painter().clone(), ui.available_width());
+    let width = move |word: &str| {
+        let galley = painter.layout_no_wrap(word.to_owned(), font.clone(), Color32::PLACEHOLDER);
+        mark + galley.size().x
+    };
+    std::iter::from_fn(move || {
+        let both = words
+            .get(..2)
+            .map(|two| width(two[0].1) + gap + width(two[1].1));
+        let count = match both {
+            Some(both) if both <= room => 2,
+            _ => words.len().min(1),
+        };
+        let (row, rest) = words.split_at(count);
+        words = rest;
+        (count > 0).then_some(row)
+    })
+}
+
 /// A box or a circle with its text: empty, or filled with the accent.
 fn marked(
     ui: &mut Ui,

@@ -44,8 +44,11 @@ fn frames(document: &Document) -> usize {
     document.timeline(Timeline::frame_count).unwrap().unwrap()
 }
 
+/// The points of the film, and those of an orbit after its end.
+const WITH_ORBIT: usize = 6 + 13;
+
 fn shows_orbit(window: &Window) -> bool {
-    window.state().windows.tool.is_some() && points(&window.state().document) == 13
+    window.state().windows.tool.is_some() && points(&window.state().document) == WITH_ORBIT
 }
 
 #[test]
@@ -77,7 +80,7 @@ fn saving_leaves_a_preview_out_and_open() {
     assert!(!window.state().is_unsaved());
     press(&mut window, Modifiers::CTRL, Key::Y);
     press(&mut window, Modifiers::CTRL, Key::S);
-    assert_eq!(points_in(&file), 13);
+    assert_eq!(points_in(&file), WITH_ORBIT);
 }
 
 #[test]
@@ -154,7 +157,7 @@ fn other_programs_get_no_preview() {
     click(&mut window, "OK");
     let after = told(&window);
     assert!(after.0 != before.0 && after.1 != before.1);
-    assert_eq!(points(window.state().document()), 13);
+    assert_eq!(points(window.state().document()), WITH_ORBIT);
 }
 
 /// What a host does to the path is done to the path, not to what a tool shows.
@@ -216,29 +219,24 @@ fn what_is_kept_for_recovery_has_no_preview() {
     assert_eq!(points(&found.document().unwrap()), count);
 }
 
-/// What a tool shows is what `OK` makes of it.
+/// What a tool shows is what `OK` makes of it, whether times are fixed or not.
 #[test]
-fn a_preview_obeys_the_padlock() {
-    for name in ["orbit", "repeat", "scale"] {
+fn a_preview_keeps_fixed_times() {
+    for fixed in [true, false] {
         let mut window = window_with_points(Language::English, LARGE, 1.0, Theme::Dark);
         let before = frames(&window.state().document);
-        click_button(&mut window, |texts| texts.space.keep_length);
-        pick(&mut window, name);
+        if !fixed {
+            click_button(&mut window, |texts| texts.space.times);
+        }
+        pick(&mut window, "scale");
+        enter(&mut window, "Factor", "0.7");
         let shown = window.state().document.path().clone();
-        assert_eq!(frames(&window.state().document), before, "{name}");
+        assert_eq!(frames(&window.state().document) == before, fixed);
         click(&mut window, "OK");
-        assert_eq!(window.state().document.path(), &shown, "{name}");
+        assert_eq!(window.state().document.path(), &shown);
         press(&mut window, Modifiers::CTRL, Key::Z);
-        assert_eq!(frames(&window.state().document), before, "{name}");
+        assert_eq!(frames(&window.state().document), before);
     }
-    // A number of frames that is typed is kept from now on.
-    let mut window = window_with_points(Language::English, LARGE, 1.0, Theme::Dark);
-    click_button(&mut window, |texts| texts.space.keep_length);
-    pick(&mut window, "frames");
-    enter(&mut window, "Frames", "321");
-    assert_eq!(frames(&window.state().document), 321);
-    click(&mut window, "OK");
-    assert_eq!(frames(&window.state().document), 321);
 }
 
 /// *Pace within limits* changes the pace, and the duration when it is asked to.

@@ -23,7 +23,6 @@ use vides_engine::tools::{Parameter, Unit};
 use crate::action::{Action, ToolAction};
 use crate::background::Background;
 use crate::entry::Entry;
-use crate::length::fit;
 use crate::number::{Number, decimals};
 use crate::panels::parts::share;
 use crate::state::Editor;
@@ -37,6 +36,9 @@ use crate::windows::fit::Offer;
 
 /// Width of a number beside its name.
 const NUMBER: f32 = 84.0;
+
+/// The choice of a move's place by which it comes after the last point.
+const APPEND: f64 = 2.0;
 
 /// Height of what is said above the fields: two lines.
 const WORDS: f32 = 32.0;
@@ -164,6 +166,12 @@ impl ToolWindow {
         for parameter in self.tool.parameters() {
             let hint = language.parameter_hint(parameter);
             let label = language.parameter(parameter.name);
+            // What takes the place of the film is nowhere beside it.
+            let alone = self.tool.can_add() && self.named("put") == Some(0.0);
+            if parameter.name == "fit" && alone {
+                start += parameter.width;
+                continue;
+            }
             match parameter.unit {
                 Unit::Switch => {
                     let mut on = self.numbers.get(start).is_some_and(|value| *value != 0.0);
@@ -174,12 +182,18 @@ impl ToolWindow {
                 }
                 Unit::Choice(names) => {
                     ui.label(label).on_hover_text(hint);
-                    for (at, name) in (0_u32..).map(f64::from).zip(names) {
-                        let chosen = self.numbers.get(start) == Some(&at);
-                        let choice = theme::choice(ui, chosen, language.choice(name));
-                        if choice.on_hover_text(hint).clicked() {
-                            self.set(start, at);
-                        }
+                    let words = names.iter().map(|name| language.choice(name));
+                    let words: Vec<_> = (0_u32..).map(f64::from).zip(words).collect();
+                    for row in theme::side_by_side(ui, &words) {
+                        ui.horizontal(|ui| {
+                            for &(at, word) in row {
+                                let chosen = self.numbers.get(start) == Some(&at);
+                                let choice = theme::choice(ui, chosen, word);
+                                if choice.on_hover_text(hint).clicked() {
+                                    self.set(start, at);
+                                }
+                            }
+                        });
                     }
                 }
                 Unit::Lattice => {
@@ -275,6 +289,10 @@ impl ToolWindow {
             }
             _ => None,
         }
+    }
+
+    fn named(&self, name: &str) -> Option<f64> {
+        self.numbers.get(self.tool.place_of(name)?).copied()
     }
 
     fn set_named(&mut self, name: &str, value: f64) {
@@ -445,7 +463,9 @@ impl Editor {
                 return false;
             }
         };
-        self.windows.tool = Some(ToolWindow {
+        // A film that is there stays: what is made comes after it.
+        let adds = tool.can_add() && !self.document.is_new();
+        let mut window = ToolWindow {
             tool,
             material: ToolInput::None,
             asked: numbers.clone(),
@@ -460,7 +480,12 @@ impl Editor {
             fit: None,
             work: None,
             stood: (self.playing.frame(), self.document.selection()),
-        });
+        };
+        if adds {
+            window.set_named("put", APPEND);
+            window.asked.clone_from(&window.numbers);
+        }
+        self.windows.tool = Some(window);
         self.windows.dock(ToolWindow::ID);
         true
     }
@@ -569,18 +594,23 @@ impl Editor {
             self.document.cancel_step();
         }
         let begins = self.begins();
-        let kept = self.kept_frames().filter(|_| window.tool.name != "frames");
+        let fixed = self.times_are_fixed();
         let language = self.language();
         let document = &mut self.document;
         let shown = made.and_then(|made| {
             let unapplied = Box::new(document.try_clone()?);
             document.begin_step();
             document.name_step(StepName::Tool(window.tool.name));
-            made.edit.map_or(Ok(()), |edit| document.apply(edit))?;
-            if let Some(frames) = kept {
-                // `OK` says why it cannot be kept.
-                let _ = fit(document, frames);
-            }
+            // What comes between points takes the time that it says.
+            let between = |edit: &Edit| {
+                let path = document.path();
+                let last = path.points.len() - 1;
+                matches!(edit, Edit::InsertPath { at, .. } if path.closed || *at < last)
+            };
+            match made.edit {
+                Some(edit) if fixed && !between(&edit) => document.apply_keeping_times(edit),
+                edit => document.apply_all(edit),
+            }?;
             // A path that begins, and a flight that takes its place, has the room that it needs.
             let leaves = match window.tool.makes_flight() {
                 true => leaves_space(document)?,

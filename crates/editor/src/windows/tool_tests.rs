@@ -2,7 +2,8 @@ use egui_kittest::kittest::NodeT;
 use glam::DVec3;
 use vides_document::tool::{Needs, tools};
 use vides_document::{At, Edit, Object, ObjectPoint};
-use vides_engine::path::CameraPath;
+use vides_engine::path::fit_frames::frames_between;
+use vides_engine::path::{CameraPath, Plan, Timeline};
 
 use crate::screenshots::screenshot;
 use crate::state::files::Purpose;
@@ -57,8 +58,8 @@ fn by_keys_alone_a_move_is_shown_and_kept_as_one_step_with_its_name() {
         let state = window.state().document.state_number();
         open_menu(&mut window, 3);
         press(&mut window, Modifiers::NONE, Key::Enter);
-        // Twelve points a turn, and the last one is where the first is.
-        assert_eq!(path(&window).points.len(), 13);
+        // Twelve points a turn, and the last one is where the first is; the film before them stays.
+        assert_eq!(path(&window).points.len(), 6 + 13);
         assert_ne!(path(&window), before);
         press(&mut window, Modifiers::NONE, Key::Escape);
         assert_eq!(path(&window), before);
@@ -84,13 +85,77 @@ fn by_keys_alone_a_move_is_shown_and_kept_as_one_step_with_its_name() {
     }
 }
 
+/// When the points are reached, in frames.
+fn reached(path: &CameraPath) -> Vec<usize> {
+    let times = |timeline: &Timeline| {
+        let points = 0..path.points.len();
+        points
+            .map(|at| frames_between(path, timeline, 0, at))
+            .collect()
+    };
+    Plan::new().timeline(path, times).unwrap()
+}
+
+fn places(path: &CameraPath) -> Vec<DVec3> {
+    path.points.iter().map(|point| point.position).collect()
+}
+
+/// A move comes after the end of the film; two more choices put it after the current point and in
+/// place of the film. In a new document it is all there is.
+#[test]
+fn a_move_leaves_the_film_as_it_is_unless_it_is_to_replace_it() {
+    let moves = || tools().filter(|tool| tool.is_move());
+    assert!(moves().count() > 8);
+    for language in BOTH {
+        for tool in moves() {
+            let mut window = window(language);
+            pick(&mut window, tool.name);
+            let made = places(&path(&window));
+            let mut window = fresh(language);
+            window.state_mut().document.select(2, 0).unwrap();
+            window.run();
+            let film = path(&window);
+            let old = places(&film);
+            pick(&mut window, tool.name);
+            assert_eq!(
+                places(&path(&window)),
+                [&old[..], &made].concat(),
+                "{}",
+                tool.name
+            );
+            assert_eq!(
+                reached(&path(&window))[..6],
+                reached(&film),
+                "{}",
+                tool.name
+            );
+            click(&mut window, language.choice("insert"));
+            let inserted = [&old[..3], &made, &old[3..]].concat();
+            assert_eq!(places(&path(&window)), inserted, "{}", tool.name);
+            click(&mut window, language.choice("replace"));
+            assert_eq!(places(&path(&window)), made, "{}", tool.name);
+            assert!(window.query_by_label(language.choice("none")).is_none());
+            click(&mut window, language.choice("append"));
+            // Placed where the film ends, it begins with the last point.
+            click(&mut window, language.choice("move"));
+            assert_eq!(path(&window).points.len(), 5 + made.len());
+            click(&mut window, language.choice("none"));
+            click(&mut window, "OK");
+            assert_eq!(places(&path(&window)), [&old[..], &made].concat());
+            press(&mut window, Modifiers::CTRL, Key::Z);
+            assert_eq!(path(&window), film, "{}", tool.name);
+            assert!(!window.state().document.is_modified());
+        }
+    }
+}
+
 #[test]
 fn numbers_change_the_path_at_once_and_bad_ones_change_nothing() {
     for language in BOTH {
         let mut window = picked(language, "orbit");
         let radius = |window: &Window| {
             let points = path(window).points;
-            let [x, _, z] = points[0].position.to_array();
+            let [x, _, z] = points[points.len() - 1].position.to_array();
             x.hypot(z)
         };
         let label = language.parameter("radius");

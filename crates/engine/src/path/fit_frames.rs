@@ -194,14 +194,18 @@ fn fit(
     Ok(fixed)
 }
 
-/// Shares `frames` in proportion to the weights, at least 1 for each, by largest remainder, ties to
-/// the earlier. There are at least as many as there are weights.
+/// Shares `frames` in proportion to the weights (≥ 0; they are changed), at least 1 for each, by
+/// largest remainder, ties to the earlier. There must be at least as many frames as weights, and as
+/// many weights as sections.
+///
+/// # Errors
+/// [`crate::Error::Memory`].
 #[allow(
     clippy::cast_precision_loss,
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss
 )]
-fn share(fixed: &mut [Fixed], weights: &mut [f64], frames: usize) -> Result<()> {
+pub fn share(fixed: &mut [Fixed], weights: &mut [f64], frames: usize) -> Result<()> {
     // Beside infinite weights the others are nothing.
     let largest = weights.iter().copied().fold(0.0, f64::max);
     for weight in weights.iter_mut() {

@@ -19,7 +19,8 @@ mod ten;
 pub(crate) use self::ten::shapes;
 
 use self::graph::Axes;
-use crate::action::Action;
+use crate::action::{Action, TimeAction};
+use crate::entry::Entry;
 use crate::number::Number;
 use crate::panels::parts::share;
 use crate::state::Editor;
@@ -261,10 +262,15 @@ fn numbers(editor: &Editor, ui: &mut Ui, section: &Section, actions: &mut Vec<Ac
             .decimals(if fps.fract() == 0.0 { 0 } else { 3 })
             .range(0.001..=MAX_FPS)
             .steps(1.0, 0.5);
+        // Where times are fixed keys keep their seconds; else they keep their frames.
+        let fixed = editor.times_are_fixed();
+        let number = if fixed { number.typed() } else { number };
         let entry = number.show(ui, editor.language(), "speed.fps", 72.0);
         let info = editor.document.info().clone();
-        let entry = entry.map(|fps| Edit::SetInfo(Box::new(Info { fps, ..info })));
-        actions.push(Action::Enter(entry));
+        actions.push(match entry {
+            Entry::Set(fps) if fixed => Action::Time(TimeAction::Rate(fps)),
+            entry => Action::Enter(entry.map(|fps| Edit::SetInfo(Box::new(Info { fps, ..info })))),
+        });
     });
 }
 

@@ -336,6 +336,8 @@ fn the_frame_rate_makes_seconds_of_frames() {
     for language in BOTH {
         let texts = &language.texts().speed_window;
         let mut window = opened(language);
+        // Fixed times keep their seconds instead.
+        click(&mut window, language.texts().space.times);
         let frames = window
             .state()
             .document
