@@ -78,7 +78,7 @@ pub unsafe extern "C" fn v_limits_init_sized(limits: *mut V_LIMITS, size: usize)
 /// keys, and where curve or view have a kink, which v_last_warning() lists. The sections
 /// get fixed frames, a distance curve and a curve time.
 ///
-/// limits  NULL: the path's own, see v_path_set_limit()
+/// limits  NULL: the path's own, see v_path_check()
 /// first_point, last_point  as for v_path_fit_frames()
 /// seconds  0: as few as the limits allow; otherwise this duration, to a whole frame,
 ///     with the lowest peaks; the last frame of the path counts, too

@@ -331,8 +331,8 @@ mod tests {
     use std::ptr::null_mut;
 
     use crate::ffi::path::{v_path_clone, v_path_free, v_path_new};
-    use crate::ffi::settings::{
-        v_path_get_fps, v_path_get_title, v_path_set_fps, v_path_set_title,
+    use crate::ffi::properties::{
+        v_path_get_number, v_path_get_text, v_path_set_number, v_path_set_text,
     };
     use crate::ffi::status::V_OK;
     use crate::tools::moves::MOVES;
@@ -346,14 +346,26 @@ mod tests {
         unsafe {
             assert_eq!(v_path_new(&raw mut paths[0]), V_OK);
             assert_eq!(v_path_clone(paths[0], &raw mut paths[1]), V_OK);
-            assert_eq!(v_path_set_fps(paths[0], 50.0), V_OK);
-            assert_eq!(v_path_set_fps(paths[1], 60.0), V_OK);
-            assert_eq!(v_path_set_title(paths[1], c"heavy".as_ptr()), V_OK);
+            assert_eq!(v_path_set_number(paths[0], c"fps".as_ptr(), 50.0), V_OK);
+            assert_eq!(v_path_set_number(paths[1], c"fps".as_ptr(), 60.0), V_OK);
+            assert_eq!(
+                v_path_set_text(paths[1], c"title".as_ptr(), c"heavy".as_ptr()),
+                V_OK
+            );
             let weights = [0.25, 0.75];
             let status = super::v_path_blend(paths.as_ptr(), weights.as_ptr(), 2, &raw mut blend);
             assert_eq!(status, V_OK);
-            assert_eq!(v_path_get_fps(blend, &raw mut fps), V_OK);
-            let status = v_path_get_title(blend, title.as_mut_ptr(), 8, &raw mut length);
+            assert_eq!(
+                v_path_get_number(blend, c"fps".as_ptr(), &raw mut fps),
+                V_OK
+            );
+            let status = v_path_get_text(
+                blend,
+                c"title".as_ptr(),
+                title.as_mut_ptr(),
+                8,
+                &raw mut length,
+            );
             assert_eq!(status, V_OK);
             for path in [paths[0], paths[1], blend] {
                 v_path_free(path);

@@ -277,7 +277,7 @@ pub struct v_editor_options {
     pub path: *const V_PATH,
     /// an object to show, at which a new path looks; NULL: that of the path
     pub object: *const V_MESH,
-    /// base speeds, see v_path_set_base_frames(). All 0: those of the path; otherwise
+    /// base speeds, see the property "base_speeds". All 0: those of the path; otherwise
     /// they are fixed, and those of a loaded file are ignored
     pub move_frames: f64,
     pub turn_frames: f64,

@@ -25,6 +25,10 @@ static int failures;
 
 #define OK(call) STATUS(V_OK, call)
 
+/* An array of these numbers, and how many they are. */
+#define NUMBERS(...) \
+    (const double[]){__VA_ARGS__}, sizeof((const double[]){__VA_ARGS__}) / sizeof(double)
+
 /* Both numbers are equal to within epsilon. */
 #define NEAR(a, b, epsilon) \
     check_near(a, b, epsilon, __FILE__, __LINE__, #a)

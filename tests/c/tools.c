@@ -94,10 +94,10 @@ static void blocks(void)
     CHECK(memcmp(one, two, sizeof one) == 0);
     both[0] = path;
     both[1] = block;
-    OK(v_path_set_fps(path, 24));
-    OK(v_path_set_fps(block, 30));
+    OK(v_path_set_number(path, "fps", 24));
+    OK(v_path_set_number(block, "fps", 30));
     OK(v_path_blend(both, weights, 2, &blend));
-    OK(v_path_get_fps(blend, &fps)); /* of the path that weighs most */
+    OK(v_path_get_number(blend, "fps", &fps)); /* of the path that weighs most */
     CHECK(fps == 30);
     OK(v_path_get_position(path, 0, one));
     OK(v_path_get_position(block, 0, two));
@@ -164,7 +164,8 @@ static void moves_and_fits_have_a_space(void)
     poses[77].vrp[2] += 5;
     OK(v_path_fit_poses_robust(poses, NULL, count, 25, 0.1, 0.5, &space, &left_out, &fitted));
     CHECK(left_out == 1);
-    CHECK(strstr(v_last_warning(), "Found: 1 outlier. 1 pose is left out, first poses[77].") != NULL);
+    CHECK(strstr(v_last_warning(),
+          "Found: 1 outlier. 1 pose is left out, first poses[77].") != NULL);
     OK(v_path_sample(fitted, again, 250, &count));
     CHECK(count == 250);
     for (i = 0; i < count; i++)
@@ -194,9 +195,9 @@ static void what_looks_wrong_is_found(void)
     CHECK(strcmp(findings[count - 1].kind, "turning") == 0
           || strcmp(findings[0].kind, "turning") == 0
           || strcmp(findings[count - 1].kind, "space") == 0);
-    OK(v_path_set_limit(path, "turning", 100));
-    OK(v_path_set_limit(path, "space", 10));
-    OK(v_path_get_limit(path, "turning", &limit));
+    OK(v_path_set_number(path, "check.turning", 100));
+    OK(v_path_set_number(path, "check.space", 10));
+    OK(v_path_get_number(path, "check.turning", &limit));
     CHECK(limit == 100);
     OK(v_path_check(path, NULL, NULL, 0, &count));
     CHECK(count == 0);
@@ -211,8 +212,8 @@ static void what_looks_wrong_is_found(void)
     mesh.points = 0;
     mesh.corners = 0;
     STATUS(V_ERR_ARGUMENT, v_path_check(path, &mesh, findings, 8, &count));
-    STATUS(V_ERR_ARGUMENT, v_path_set_limit(path, "tuning", 1));
-    STATUS(V_ERR_RANGE, v_path_set_limit(path, "turning", -1));
+    STATUS(V_ERR_RANGE, v_path_set_number(path, "check.tuning", 1));
+    STATUS(V_ERR_RANGE, v_path_set_number(path, "check.turning", -1));
     v_path_free(path);
 }
 
@@ -279,12 +280,12 @@ static void the_faces_of_the_own_object_are_looked_at(void)
     v_path_free(path);
     /* What is off unless a limit is set: on a circle r w^3 = 1.2 (pi / 2)^3 = 4.65. */
     path = orbit(1, 4);
-    OK(v_path_get_limit(path, "jerk", &limit));
+    OK(v_path_get_number(path, "check.jerk", &limit));
     CHECK(limit == INFINITY);
-    OK(v_path_set_limit(path, "jerk", 4));
+    OK(v_path_set_number(path, "check.jerk", 4));
     OK(v_path_check(path, NULL, own, 16, &count));
     CHECK(has(own, count, "jerk", &value) && value > 4);
-    OK(v_path_set_limit(path, "jerk", INFINITY));
+    OK(v_path_set_number(path, "check.jerk", INFINITY));
     OK(v_path_check(path, NULL, own, 16, &count));
     CHECK(!has(own, count, "jerk", &value));
     v_path_free(path);
@@ -396,7 +397,7 @@ static void avoid(void)
     STATUS(V_ERR_ARGUMENT, v_path_avoid(path, NULL, 0.1, 0));
     STATUS(V_ERR_ARGUMENT, v_path_avoid(path, &box, 0, 0));
     STATUS(V_ERR_ARGUMENT, v_path_avoid(path, &box, 0.1, NAN));
-    OK(v_path_set_limit(path, "clearance", 0.12));
+    OK(v_path_set_number(path, "check.clearance", 0.12));
     OK(v_path_check(path, &box, found, 16, &count));
     CHECK(has(found, count, "through", &value));
     OK(v_path_avoid(path, &box, 0.1, 0.02));
@@ -414,7 +415,8 @@ static void avoid(void)
     place[0] = place[1] = place[2] = 0;
     OK(v_path_set_position(path, points - 1, place));
     STATUS(V_ERR_ARGUMENT, v_path_avoid(path, &box, 0.1, 0));
-    CHECK(strstr(v_last_error(), "no way round") != NULL && strstr(v_last_error(), "frame") != NULL);
+    CHECK(strstr(v_last_error(), "no way round") != NULL && strstr(v_last_error(),
+          "frame") != NULL);
     v_path_free(path);
 }
 
@@ -511,7 +513,8 @@ static void picture(void)
 static void tour(void)
 {
     const double xyz[] = {1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1};
-    const unsigned corners[] = {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5};
+    const unsigned corners[] = {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0,
+        3, 5};
     V_MESH object;
     V_TOUR tour;
     V_PATH *path, *other;

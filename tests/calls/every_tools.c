@@ -74,7 +74,8 @@ CALL(v_path_deform)
     const double box[6] = {-2, -2, -2, 2, 2, 2};
 
     parameters[1] = number(0.1, 2);
-    return v_path_deform(path, first, last, kind, given("parameters", parameters, sizeof parameters),
+    return v_path_deform(path, first, last, kind, given("parameters", parameters,
+        sizeof parameters),
                          2, below(2) ? NULL : given("box", box, sizeof box), whole(0, 1));
 }
 
@@ -185,22 +186,3 @@ CALL(v_path_check)
     return v_path_check(path, NULL, NULL, 0, result(sizeof(size_t), 0));
 }
 
-static const char *a_kind_of_finding(void)
-{
-    static const char *const kinds[] = {"turning", "pole", "clearance", "zoom"};
-    return one_of(kinds, 4);
-}
-
-CALL(v_path_set_limit)
-{
-    V_PATH *path = a_path();
-    const char *kind = a_kind_of_finding();
-    return v_path_set_limit(path, kind, number(0, 3));
-}
-
-CALL(v_path_get_limit)
-{
-    const V_PATH *path = a_path();
-    const char *kind = a_kind_of_finding();
-    return v_path_get_limit(path, kind, result(sizeof(double), 0));
-}

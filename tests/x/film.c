@@ -105,9 +105,10 @@ static V_SCENE *cameras(void)
     v_node_init(&node, V_NODE_CAMERA);
     for (k = 1; k < 3; k++)
         ok(v_scene_add_node(scene, names[k], &node, NULL), names[k]);
-    ok(v_scene_set_track(scene, 1, "position", "linear", frames, values, NULL, 2, V_AFTER_HOLD), "keys");
+    ok(v_scene_set_track(scene, 1, "position", "linear", frames, values, NULL, 2, V_AFTER_HOLD),
+        "keys");
     ok(v_scene_set_path(scene, 2, path, 21, V_AFTER_PINGPONG), "path of the third");
-    ok(v_scene_set_first_frame(scene, 101), "first frame");
+    ok(v_scene_set_number(scene, "first_frame", 101), "first frame");
     v_path_free(path);
     return scene;
 }

@@ -41,6 +41,7 @@ mod path_to_keys;
 mod picture;
 mod place;
 mod property;
+mod property_access;
 mod rate;
 mod references;
 mod remedy;
@@ -53,6 +54,7 @@ mod step_name;
 mod target;
 pub mod tool;
 mod touched;
+mod typed;
 #[doc(hidden)]
 pub mod vid;
 mod wireframe;
@@ -82,6 +84,7 @@ pub use scene::SceneDocument;
 pub use shown::Poses;
 pub use step_name::StepName;
 pub use touched::Touched;
+pub use typed::{Form, Given};
 #[doc(hidden)]
 pub use vid::read_bytes;
 
