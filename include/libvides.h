@@ -234,14 +234,6 @@
 #define V_KEEP_PLACE 0
 #define V_KEEP_NUMBERS 1
 
-/**
- * How v_path_keep_in_picture() keeps an object in the picture: by the zoom, by moving
- * the camera along its view, by turning it.
- */
-#define V_PICTURE_ZOOM 0
-#define V_PICTURE_DISTANCE 1
-#define V_PICTURE_VIEW 2
-
 
 /* ---- Axes of a camera, see v_pose_matrix() ----------------------------------- */
 
@@ -592,32 +584,6 @@ struct v_finding {
 };
 
 typedef struct v_finding V_FINDING;
-
-/**
- * Limits of a speed profile; 0: no limit. Lengths are in units of the space's
- * half_size, as in v_path_check(), whose defaults v_limits_init() fills in.
- */
-struct v_limits {
-    size_t size;
-    /** length per second */
-    double speed;
-    /** length per second squared, in any direction */
-    double acceleration;
-    /** per second cubed, the third difference at whole frames */
-    double jerk;
-    /** degrees per second */
-    double turning;
-    /** degrees per second squared */
-    double turning_acceleration;
-    /** mm per second */
-    double zoom;
-    /**
-     * least seconds in which what is in the middle of the picture may cross it
-     */
-    double crossing;
-};
-
-typedef struct v_limits V_LIMITS;
 
 /** Options of v_path_tour(). */
 struct v_tour {
@@ -1234,7 +1200,7 @@ int v_path_set_text(V_PATH *path,
 /**
  * Gets a text or a choice by its name; another property as in a .vid file. "" if it is
  * not set.
- * V_ERR_RANGE, V_ERR_SIZE, V_ERR_MEMORY.
+ * V_ERR_RANGE, V_ERR_ARGUMENT, V_ERR_SIZE, V_ERR_MEMORY.
  */
 int v_path_get_text(const V_PATH *path,
                     const char *name,
@@ -1286,7 +1252,7 @@ int v_path_get_object(const V_PATH *path,
  * up  V_UP_Y, as in a new path, or V_UP_Z
  *
  * Positions, offsets, tangents and lengths of a path are in your world's units. Base
- * frames, limits (V_LIMITS, v_path_check()) and the distances below which nothing
+ * frames, limits (v_path_check()) and the distances below which nothing
  * moves count in units of half_size.
  * V_ERR_ARGUMENT, V_ERR_RANGE.
  */
@@ -1397,21 +1363,6 @@ int v_ease(int kind,
            double *distance,
            double *speed);
 
-/**
- * Fixes the frames of all moving sections between two points, so that it takes exactly
- * frames from the first pose at first_point to the last pose at last_point, holds
- * included. 0 and the last point stand for the whole path, if closed with the way back
- * to the first. On a closed path first_point may be after last_point.
- *
- * Sections share the frames in proportion to those they have, at least one each; locked
- * ones keep theirs. If frames is too small, v_last_error() returns the least.
- * V_ERR_RANGE, V_ERR_MEMORY.
- */
-int v_path_fit_frames(V_PATH *path,
-                      int first_point,
-                      int last_point,
-                      size_t frames);
-
 
 /* ---- The curve --------------------------------------------------------------- */
 
@@ -1443,6 +1394,55 @@ int v_path_point_at_length(const V_PATH *path,
                            int segment,
                            double s,
                            double xyz[3]);
+
+
+/* ---- Tools by name ----------------------------------------------------------- */
+
+/**
+ * Changes a path by a tool, atomically. docs/reference/tools.md and planning.md describe
+ * the tools; they are those of the window and the command.
+ *
+ * "reverse"  the same poses in reverse order
+ * "repeat"   count times, each beginning where the last one ended: times
+ * "frames"   fixes the frames from the first pose at one point to the last pose at
+ *            another: frames, first, last. Sections share them in proportion, at least
+ *            one each; those with "locked" keep theirs
+ * "retime"   speed as fast as the limits of v_path_check() allow, or for a duration with
+ *            the lowest peaks: seconds, first, last. Reports "seconds"
+ * "steady"   stabilises a recorded flight: period in seconds, within. Reports
+ *            "furthest", "turned"
+ * "avoid"    leads a path clear of an object: clearance, radius. Reports "parts",
+ *            "moved", "inserted", "furthest"
+ * "picture"  keeps an object in the picture: margin, what (zoom, distance, view).
+ *            Reports "added", "tightest", "loosest"
+ *
+ * Also "move", "turn", "scale", "mirror", "taper", "bulge", "twist", "bend", "free-form",
+ * and the moves of v_path_from_move() and "tour", which replace the path's points, or with
+ * put are inserted after its first one.
+ *
+ * tool  its name
+ * options  lines of name=value ("frames=250\nlast=3"), the others have their defaults;
+ *     NULL: none. Points count from 1, from the first to the last point by default; 0 and
+ *     the last stand for the whole path, if closed with the way back to the first
+ * object  an object in the coordinates of the path, for "avoid" and "picture"; NULL: the
+ *     path's own. Others ignore it
+ *
+ * v_last_warning() returns lines about what was done, or ""; v_last_number() numbers.
+ * V_ERR_ARGUMENT (no such tool or option, a value for it, no way: v_last_error() names
+ * the place), V_ERR_RANGE, V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED.
+ */
+int v_path_tool(V_PATH *path,
+                const char *tool,
+                const char *options,
+                const V_MESH *object);
+
+/**
+ * Gets a number that the calling thread's last v_path_tool() reported, by the name given
+ * there.
+ * V_ERR_ARGUMENT (no such number).
+ */
+int v_last_number(const char *name,
+                  double *value);
 
 
 /* ---- Tools ------------------------------------------------------------------- */
@@ -1553,20 +1553,6 @@ int v_path_insert_path(V_PATH *path,
                        int at,
                        const V_PATH *block,
                        int fit);
-
-/**
- * Reverses a path: the same poses in reverse order. Views that look ahead do so in the
- * new direction.
- * V_ERR_MEMORY.
- */
-int v_path_reverse(V_PATH *path);
-
-/**
- * Repeats a path count times. Each repetition begins where the last one ended, with
- * its targets; a closed path is run through count times.
- * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
- */
-int v_path_repeat(V_PATH *path, int count);
 
 /**
  * Makes the weighted sum of paths, point by point: positions, curve, targets, roll,
@@ -2468,7 +2454,7 @@ int v_path_fit_poses_robust(const V_POSE *poses,
  * A hold, or a turn on the spot, between sections without an ease counts as a
  * "speed-jump", an "acceleration" or a "turning-acceleration" only if that limit is not
  * the default. The distance to the object is computed three times per frame, as by
- * v_path_avoid().
+ * the tool "avoid".
  *
  * object  the obstacle, in the coordinates of the path; NULL: the path's own, with its
  *     faces, if it has one
@@ -2485,95 +2471,6 @@ int v_path_check(const V_PATH *path,
 
 
 /* ---- Planning ---------------------------------------------------------------- */
-
-/**
- * Fills in the defaults of v_path_check(): acceleration 10, turning 60,
- * turning_acceleration 300, zoom 30; no other limits.
- */
-void v_limits_init(V_LIMITS *limits);
-
-/** Like v_limits_init(), for a struct of size bytes. */
-void v_limits_init_sized(V_LIMITS *limits, size_t size);
-
-/**
- * Recomputes the speed profile between the first orientation of one point and the last
- * of another, as fast as the limits allow, in at most 40 rounds over the sections.
- * Curve and views do not change. The camera rests at the ends of an open path, at held
- * keys, and where curve or view have a kink, which v_last_warning() lists. The sections
- * get fixed frames, a distance curve and a curve time.
- *
- * limits  NULL: the path's own, see v_path_check()
- * first_point, last_point  as for v_path_fit_frames()
- * seconds  0: as few as the limits allow; otherwise this duration, to a whole frame,
- *     with the lowest peaks; the last frame of the path counts, too
- * V_ERR_SIZE, V_ERR_ARGUMENT (no limit, one that is not positive, too few seconds:
- * v_last_error() names the least), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY,
- * V_ERR_REFUSED.
- */
-int v_path_retime(V_PATH *path,
-                  const V_LIMITS *limits,
-                  int first_point,
-                  int last_point,
-                  double seconds);
-
-/**
- * Stabilises a recorded flight: a low-pass filter without lag at whole frames, then
- * v_path_fit_poses() with as many frames. The first and the last pose do not change.
- * Names, targets and modes are discarded; a closed path becomes open. v_last_warning()
- * returns how far the path moved.
- *
- * period  cut-off period: motion of this period is halved, faster motion is removed;
- *     > 0 and at most 2,000 frames
- * within  maximum distance any position may move; 0: no limit
- * V_ERR_ARGUMENT (a path that does not move, no path within the limit), V_ERR_RANGE,
- * V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED.
- */
-int v_path_steady(V_PATH *path,
-                  double period,
-                  double within);
-
-/**
- * Moves a path away from an object where the camera, or a sphere around it, comes
- * nearer than the clearance or passes through: points move as little, and as few are
- * added, as possible. Points that were clear do not move, except within a closed part of
- * the object between others outside. Frames and targets do not change. v_last_warning()
- * returns a line for each changed part, or "".
- *
- * A part takes at most a few searches of a grid with 96 cells along its longest side;
- * a distance, the logarithm of the number of triangles, up to that number if they
- * overlap widely.
- *
- * object  in the coordinates of the path; NULL: the path's own
- * clearance, radius  in the path's units; clearance > 0, radius of the sphere 0 or
- *     more
- * V_ERR_SIZE, V_ERR_ARGUMENT (no way round: v_last_error() names the frame and the
- * place; an object without geometry), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY,
- * V_ERR_REFUSED.
- */
-int v_path_avoid(V_PATH *path,
-                 const V_MESH *object,
-                 double clearance,
-                 double radius);
-
-/**
- * Keeps an object whole in the picture less margin, at every frame and between. By zoom
- * or distance it is as large as the margin and the path's limits of zoom, or of speed
- * and acceleration, allow; by the view the camera turns no more than necessary. Frames
- * and speed profile do not change; points are added where keys are not enough. Takes 20
- * positions per frame, each tried at most 60 times.
- *
- * object  in the coordinates of the path; NULL: the path's own, with the objects of
- *     its scene
- * margin  the fraction of the picture's width and height (36 x 24 mm) to keep free on
- *     each side, from 0 to below 0.5
- * what  V_PICTURE_...
- * V_ERR_ARGUMENT (no object, or it does not fit into the picture, with the frame),
- * V_ERR_RANGE, V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED.
- */
-int v_path_keep_in_picture(V_PATH *path,
-                           const V_MESH *object,
-                           double margin,
-                           int what);
 
 /**
  * Fills in the default tour: 60 seconds, coverage 0.95, outside the object, at a
@@ -3034,7 +2931,6 @@ int v_pose_projection(const V_POSE *pose,
 #define v_editor_options_init(options) \
     v_editor_options_init_sized(options, sizeof(V_EDITOR_OPTIONS))
 #define v_space_init(space) v_space_init_sized(space, sizeof(V_SPACE))
-#define v_limits_init(limits) v_limits_init_sized(limits, sizeof(V_LIMITS))
 #define v_tour_init(tour) v_tour_init_sized(tour, sizeof(V_TOUR))
 
 #endif  /* LIBVIDES_H */

@@ -6,7 +6,7 @@ use std::fs;
 use std::path::Path;
 
 /// The files with exports, in the order in which the header shows them.
-const SOURCES: [&str; 36] = [
+const SOURCES: [&str; 37] = [
     "status",
     "types",
     "legacy",
@@ -20,6 +20,7 @@ const SOURCES: [&str; 36] = [
     "shape",
     "pace",
     "curve",
+    "toolbox",
     "tools",
     "poses",
     "times",

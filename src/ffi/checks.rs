@@ -250,7 +250,7 @@ unsafe fn fitted(
 /// A hold, or a turn on the spot, between sections without an ease counts as a
 /// "speed-jump", an "acceleration" or a "turning-acceleration" only if that limit is not
 /// the default. The distance to the object is computed three times per frame, as by
-/// v_path_avoid().
+/// the tool "avoid".
 ///
 /// object  the obstacle, in the coordinates of the path; NULL: the path's own, with its
 ///     faces, if it has one

@@ -62,6 +62,7 @@ mod space;
 mod splines;
 mod status;
 mod times;
+mod toolbox;
 mod tools;
 mod types;
 mod view;

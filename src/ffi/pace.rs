@@ -1,14 +1,11 @@
-//! Easing, and an exact number of frames.
+//! Easing.
 
 use std::ffi::c_int;
 
 use super::border::border;
 use super::curve::between;
-use super::path::edit;
-use super::pointers::{Out, index, numbered};
+use super::pointers::{Out, numbered};
 use super::status::{Answer, Failure, V_ERR_INTERNAL, V_OK};
-use super::types::V_PATH;
-use crate::document::Edit;
 use crate::limits::BASE_SPEED;
 use crate::path::{Ease, EaseKind};
 
@@ -73,34 +70,5 @@ pub unsafe extern "C" fn v_ease(
             speed.write(ease.slope(t));
         }
         Ok(V_OK)
-    })
-}
-
-/// Fixes the frames of all moving sections between two points, so that it takes exactly
-/// frames from the first pose at first_point to the last pose at last_point, holds
-/// included. 0 and the last point stand for the whole path, if closed with the way back
-/// to the first. On a closed path first_point may be after last_point.
-///
-/// Sections share the frames in proportion to those they have, at least one each; locked
-/// ones keep theirs. If frames is too small, v_last_error() returns the least.
-/// V_ERR_RANGE, V_ERR_MEMORY.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn v_path_fit_frames(
-    path: *mut V_PATH,
-    first_point: c_int,
-    last_point: c_int,
-    frames: usize,
-) -> c_int {
-    border(V_ERR_INTERNAL, || {
-        let (first, last) = (
-            index(first_point, "first_point")?,
-            index(last_point, "last_point")?,
-        );
-        let fit = Edit::FitFrames {
-            first,
-            last,
-            frames,
-        };
-        edit(path, fit)
     })
 }

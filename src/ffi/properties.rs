@@ -328,7 +328,7 @@ pub unsafe extern "C" fn v_path_set_text(
 
 /// Gets a text or a choice by its name; another property as in a .vid file. "" if it is
 /// not set.
-/// V_ERR_RANGE, V_ERR_SIZE, V_ERR_MEMORY.
+/// V_ERR_RANGE, V_ERR_ARGUMENT, V_ERR_SIZE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_text(
     path: *const V_PATH,

@@ -127,6 +127,10 @@ pub(super) enum Failure {
     NoLanguage(Text),
     #[error("{name} is {given}, but the number of an X window has at most 32 bits")]
     NoWindow { name: &'static str, given: c_ulong },
+    #[error("there is no tool \"{0}\" for a path")]
+    NoTool(Text),
+    #[error("the last tool reported no number \"{0}\"")]
+    NoNumber(Text),
     /// An error of a property, which counts as its name does.
     #[error("{1}")]
     Property(c_int, Text),
@@ -215,6 +219,8 @@ impl Failure {
             | Self::NoLanguage(_)
             | Self::NotFinite { .. }
             | Self::Zero(_)
+            | Self::NoTool(_)
+            | Self::NoNumber(_)
             | Self::NotPositive { .. } => V_ERR_ARGUMENT,
             Self::Size { .. } | Self::NoRoom { .. } => V_ERR_SIZE,
             Self::TooMany { .. } => V_ERR_LIMIT,

@@ -7,7 +7,7 @@ use glam::DMat4;
 
 use super::border::border;
 use super::path::{edit, edit_by, insert, insert_new, read};
-use super::pointers::{Out, how_many, index, most, optional, read_array, slice, text};
+use super::pointers::{Out, index, most, optional, read_array, slice, text};
 use super::points::point;
 use super::scene_tracks::{bounds, deformation};
 use super::space::optional_space;
@@ -262,24 +262,6 @@ pub unsafe extern "C" fn v_path_insert_path(
             with_targets: true,
         };
         edit(path, insert)
-    })
-}
-
-/// Reverses a path: the same poses in reverse order. Views that look ahead do so in the
-/// new direction.
-/// V_ERR_MEMORY.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn v_path_reverse(path: *mut V_PATH) -> c_int {
-    border(V_ERR_INTERNAL, || edit(path, Edit::Reverse))
-}
-
-/// Repeats a path count times. Each repetition begins where the last one ended, with
-/// its targets; a closed path is run through count times.
-/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn v_path_repeat(path: *mut V_PATH, count: c_int) -> c_int {
-    border(V_ERR_INTERNAL, || {
-        edit(path, Edit::Repeat(how_many(count, "count")?))
     })
 }
 

@@ -149,7 +149,7 @@ static void numbers_count_from_0(void)
          v_path_segment_length(path, 1, &o.roll));
     SAYS(V_ERR_RANGE,
          "the first point of a range, 1 (counted from 0), must not lie behind its last one, 0",
-         v_path_fit_frames(path, 1, 0, 100));
+         tool(path, "frames", NULL, "frames=100\nfirst=2\nlast=1"));
     SAYS(V_ERR_RANGE, "there is no frame 0.5: they go from 1 to 121",
          v_path_pose(path, 0.5, poses));
     memset(poses, 0, sizeof poses);
@@ -210,7 +210,7 @@ static void what_there_is_is_told(void)
          v_path_set_number(path, "check.turning", NAN));
     SAYS(V_ERR_RANGE, "half_size must lie between 1e-30 and 1e30",
          v_path_set_space(path, values, -1, V_UP_Y));
-    SAYS(V_ERR_RANGE, "count must lie between 1 and 100000", v_path_repeat(path, 0));
+    SAYS(V_ERR_RANGE, "times must lie between 1 and 100000", v_path_tool(path, "repeat", "times=0", NULL));
     SAYS(V_ERR_RANGE, "fps: the frames per second must be greater than 0 and at most 100000",
          v_path_set_number(path, "fps", 0));
     SAYS(V_ERR_RANGE, "zoom must lie between 1 and 2000", v_path_set_orientation(path, 0, 0, &o));

@@ -52,7 +52,7 @@ static void numbers_and_flags(void)
     OK(v_path_get_flag(path, "closed", &on));
     CHECK(on == 1);
     OK(v_path_set_flag(path, "point.1.locked", -3));
-    OK(v_path_reverse(path)); /* closed: the section from 1 to 2 goes from 2 to 1 then */
+    OK(v_path_tool(path, "reverse", NULL, NULL)); /* closed: the section from 1 to 2 goes from 2 to 1 then */
     OK(v_path_get_flag(path, "point.1.locked", &on));
     CHECK(on == 0);
     OK(v_path_get_flag(path, "point.2.locked", &on));

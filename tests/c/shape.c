@@ -200,25 +200,25 @@ static void fixed_frames(void)
     OK(v_path_get_number(path, v_path_key(0, 0, "frames"), &fixed));
     CHECK(fixed == 33);
     for (frames = 3; frames < 1000; frames += 83) {
-        OK(v_path_fit_frames(path, 0, 2, frames));
+        OK(tool(path, "frames", NULL, "frames=%zu\nfirst=1\nlast=3", frames));
         CHECK(frames_of(path) == frames);
     }
     OK(v_path_set_number(path, v_path_key(0, 0, "frames"), 33));
     OK(v_path_set_flag(path, v_path_key(0, 0, "locked"), 1));
     OK(v_path_get_flag(path, v_path_key(0, 0, "locked"), &locked));
     CHECK(locked == 1);
-    OK(v_path_fit_frames(path, 0, 2, 500));
+    OK(tool(path, "frames", NULL, "frames=500\nfirst=1\nlast=3"));
     OK(v_path_get_number(path, v_path_key(0, 0, "frames"), &fixed));
     CHECK(fixed == 33 && frames_of(path) == 500);
     STATUS(V_ERR_RANGE, v_path_set_flag(path, v_path_key(3, 0, "locked"), 1));
     STATUS(V_ERR_NULL, v_path_get_flag(path, v_path_key(0, 0, "locked"), NULL));
     OK(v_path_set_flag(path, v_path_key(0, 0, "locked"), 0));
     OK(v_path_set_flag(path, "closed", 1));
-    OK(v_path_fit_frames(path, 0, 2, 300));
+    OK(tool(path, "frames", NULL, "frames=300\nfirst=1\nlast=3"));
     CHECK(frames_of(path) == 300);
-    STATUS(V_ERR_RANGE, v_path_fit_frames(path, 0, 2, 3));
+    STATUS(V_ERR_RANGE, tool(path, "frames", NULL, "frames=3\nfirst=1\nlast=3"));
     CHECK(strstr(v_last_error(), "at least 4") != NULL);
-    STATUS(V_ERR_RANGE, v_path_fit_frames(path, 0, 3, 300));
+    STATUS(V_ERR_RANGE, tool(path, "frames", NULL, "frames=300\nfirst=1\nlast=4"));
     STATUS(V_ERR_RANGE, v_path_set_number(path, v_path_key(0, 0, "frames"), -1));
     STATUS(V_ERR_RANGE, v_path_set_number(path, v_path_key(0, 0, "frames"), 100000000));
     CHECK(frames_of(path) == 300);
@@ -361,7 +361,7 @@ static void saved(const char *folder)
     OK(v_path_set_numbers(path, v_path_key(0, 0, "ease"), NUMBERS(V_EASE_SINE, 0.3, 0.2, 80)));
     OK(v_path_insert_on_curve(path, 20, NULL));
     OK(v_path_set_numbers(path, v_path_key(2, 0, "distance"), keys, 6));
-    OK(v_path_fit_frames(path, 0, 3, 241));
+    OK(tool(path, "frames", NULL, "frames=241\nfirst=1\nlast=4"));
     OK(v_path_set_number(path, v_path_key(3, 0, "ahead"), 0.1));
     OK(v_path_set_up(path, 0, 0, "path", NULL, path));
     OK(v_path_set_up(path, 1, 0, "path", NULL, path));

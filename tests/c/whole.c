@@ -147,11 +147,6 @@ static void no_room_no_struct(void)
         CHECK(memcmp(room, before, sizeof rooms) == 0);
         CHECK(strstr(v_last_error(), "but sizeof (V_SPACE) is ") != NULL);
     }
-    for (size = 0; size < sizeof(V_LIMITS); size++) {
-        v_limits_init_sized((V_LIMITS *)room, size);
-        CHECK(memcmp(room, before, sizeof rooms) == 0);
-        CHECK(strstr(v_last_error(), "but sizeof (V_LIMITS) is ") != NULL);
-    }
     for (size = 0; size < sizeof(V_TOUR); size++) {
         v_tour_init_sized((V_TOUR *)room, size);
         CHECK(memcmp(room, before, sizeof rooms) == 0);
@@ -161,10 +156,6 @@ static void no_room_no_struct(void)
     v_space_init_sized((V_SPACE *)room, sizeof rooms);
     CHECK(((V_SPACE *)room)->size == sizeof(V_SPACE) && strcmp(v_last_error(), "") == 0);
     CHECK(memcmp(room + sizeof(V_SPACE), before, sizeof rooms - sizeof(V_SPACE)) == 0);
-    memcpy(room, before, sizeof rooms);
-    v_limits_init_sized((V_LIMITS *)room, sizeof rooms);
-    CHECK(((V_LIMITS *)room)->size == sizeof(V_LIMITS) && strcmp(v_last_error(), "") == 0);
-    CHECK(memcmp(room + sizeof(V_LIMITS), before, sizeof rooms - sizeof(V_LIMITS)) == 0);
 }
 
 static void whole_structs_only(void)

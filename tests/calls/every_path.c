@@ -588,68 +588,6 @@ CALL(v_ease)
     return v_ease(kind, rise, fall, t, distance, result(sizeof(double), 1));
 }
 
-CALL(v_path_fit_frames)
-{
-    V_PATH *path = a_path();
-    int point = a_point(path);
-    return v_path_fit_frames(path, point, point, 100000 + below(1000));
-}
-
-static const V_LIMITS *some_limits(void)
-{
-    V_LIMITS limits;
-
-    v_limits_init(&limits);
-    if (chance(wild)) {
-        frame->unfit = 1;
-        limits.size = below(100);
-    }
-    limits.speed = number(0.5, 2);
-    limits.turning = number(30, 90);
-    return chance(20) ? NULL : given("V_LIMITS", &limits, sizeof limits);
-}
-
-CALL(v_limits_init)
-{
-    (v_limits_init)(result(sizeof(V_LIMITS), 0));
-    return 0;
-}
-
-CALL(v_limits_init_sized)
-{
-    v_limits_init(result(sizeof(V_LIMITS), 0));
-    return 0;
-}
-
-CALL(v_path_retime)
-{
-    const V_LIMITS *limits = some_limits();
-    V_PATH *path = a_path();
-    int point = a_point(path);
-    return v_path_retime(path, limits, point, point, 0);
-}
-
-CALL(v_path_steady)
-{
-    V_PATH *path = a_path();
-    double seconds = number(0, 4), within = number(0, 1);
-    return v_path_steady(path, seconds, within);
-}
-
-CALL(v_path_avoid)
-{
-    const V_MESH *mesh = chance(50) ? NULL : a_mesh();
-    return v_path_avoid(a_path(), mesh, number(0.01, 0.2), number(0, 0.1));
-}
-
-CALL(v_path_keep_in_picture)
-{
-    V_PATH *path = a_path();
-    const V_MESH *object = a_mesh();
-    return v_path_keep_in_picture(path, object, number(0, 0.45),
-                                  whole(V_PICTURE_ZOOM, V_PICTURE_VIEW));
-}
-
 CALL(v_tour_init)
 {
     (v_tour_init)(result(sizeof(V_TOUR), 0));

@@ -52,6 +52,20 @@ static int a_range(const V_PATH *path, int *last)
     return first;
 }
 
+CALL(v_path_tool)
+{
+    static const char *const names[] = {"reverse", "repeat", "move", "turn"};
+    V_PATH *path = a_path();
+    const char *name = one_of(names, 4);
+
+    return v_path_tool(path, name, below(2) ? NULL : text(""), NULL);
+}
+
+CALL(v_last_number)
+{
+    return v_last_number(text("seconds"), result(sizeof(double), 0));
+}
+
 CALL(v_path_transform)
 {
     V_PATH *path = a_path();
@@ -95,17 +109,6 @@ CALL(v_path_insert_path)
     const V_PATH *block = a_path();
 
     return v_path_insert_path(path, at, block, whole(V_FIT_NONE, V_FIT_SCALE));
-}
-
-CALL(v_path_reverse)
-{
-    return v_path_reverse(a_path());
-}
-
-CALL(v_path_repeat)
-{
-    V_PATH *path = a_path();
-    return v_path_repeat(path, whole(1, 2));
 }
 
 CALL(v_path_blend)

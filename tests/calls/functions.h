@@ -67,13 +67,6 @@
     F(v_path_get_tangents, STATUS, V_OK, 0) \
     F(v_path_insert_on_curve, STATUS, -2, 0) \
     F(v_ease, STATUS, V_OK, 0) \
-    F(v_path_fit_frames, STATUS, -2, 0) \
-    F(v_limits_init, NOTHING, V_OK, 0) \
-    F(v_limits_init_sized, NOTHING, V_OK, 0) \
-    F(v_path_retime, STATUS, -2, 0) \
-    F(v_path_steady, STATUS, -2, 0) \
-    F(v_path_avoid, STATUS, -2, 0) \
-    F(v_path_keep_in_picture, STATUS, -2, 0) \
     F(v_tour_init, NOTHING, V_OK, 0) \
     F(v_tour_init_sized, NOTHING, V_OK, 0) \
     F(v_path_tour, STATUS, -2, 0) \
@@ -81,12 +74,12 @@
     F(v_path_get_up, STATUS, V_OK, 0) \
     F(v_path_from_move, STATUS, V_OK, 0) \
     F(v_path_from_move_in_space, STATUS, V_OK, 0) \
+    F(v_path_tool, STATUS, V_OK, 0) \
+    F(v_last_number, STATUS, -2, 0) \
     F(v_path_transform, STATUS, -2, 0) \
     F(v_path_deform, STATUS, -2, 0) \
     F(v_path_extract, STATUS, V_OK, 0) \
     F(v_path_insert_path, STATUS, -2, 0) \
-    F(v_path_reverse, STATUS, V_OK, 0) \
-    F(v_path_repeat, STATUS, V_OK, 0) \
     F(v_path_blend, STATUS, -2, 0) \
     F(v_set_progress, STATUS, V_OK, 0) \
     F(v_path_fit_poses, STATUS, V_OK, 0) \

@@ -103,7 +103,7 @@ def a_scene():
 
 def with_size(kind):
     init = {"V_ORIENTATION": "v_orientation_init", "V_EDITOR_OPTIONS": "v_editor_options_init",
-            "V_SPACE": "v_space_init", "V_LIMITS": "v_limits_init",
+            "V_SPACE": "v_space_init",
             "V_TOUR": "v_tour_init"}
     if kind == "V_MESH":
         return a_mesh()
@@ -122,7 +122,7 @@ def with_size(kind):
 
 
 SIZED = ("V_ORIENTATION", "V_MESH", "V_NODE", "V_VIEW", "V_SPACE", "V_MOTION", "V_EDITOR_OPTIONS",
-         "V_LIMITS", "V_TOUR", "V_PROPERTY")
+         "V_TOUR", "V_PROPERTY")
 window = []
 
 
@@ -165,12 +165,12 @@ SIZES = {"capacity": 50000, "count": 2, "keys": 2, "points": 4, "size": len(VID)
          "frames": 500, ("v_path_fit_poses", "count"): 12,
          ("v_path_set_numbers", "count"): 6, ("v_scene_set_numbers", "count"): 3,
          ("v_path_fit_poses_in_space", "count"): 12, ("v_path_fit_poses_robust", "count"): 12,
-         ("v_space_init_sized", "size"): 48, ("v_limits_init_sized", "size"): 64,
+         ("v_space_init_sized", "size"): 48, 
          ("v_tour_init_sized", "size"): 72,
          ("v_editor_options_init_sized", "size"): 1000}
 DOUBLES = {"fps": 25.0, "value": 25.0, "frame": 2.5, "back": 10.0, "rise": 0.2, "fall": 0.2, "s": 0.1,
            "tolerance": 0.01, "half_size": 1.0, "far_plane": 10.0}
-TEXTS = {"format": "csv", "options": "as=keys", ("v_scene_import", "file"): folder + "/a.csv", ("v_scene_export", "file"): folder + "/written.csv", "channel": "position", "interpolation": "hermite", "kind": "twist", "move": "orbit", "up": "point",
+TEXTS = {"format": "csv", "options": "as=keys", ("v_scene_import", "file"): folder + "/a.csv", ("v_scene_export", "file"): folder + "/written.csv", "channel": "position", "interpolation": "hermite", "kind": "twist", "move": "orbit", "tool": "repeat", ("v_path_tool", "options"): "times=2", ("v_last_number", "name"): "seconds", "up": "point",
          "marker": "meet", "text": VID, "name": "wheel", ("v_scene_find_node", "name"): "sheet",
          ("v_scene_remove_marker", "name"): "meet", "file": folder + "/written",
          **{("v_%s_%s_%s" % key, "name"): name for key, name in {

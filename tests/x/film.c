@@ -75,12 +75,12 @@ static void other_path(void)
     int frames, point = -1, orientation = -1;
 
     ok(v_path_new(&path), "path");
-    ok(v_path_fit_frames(path, 0, 1, 200), "fit_frames");
+    ok(v_path_tool(path, "frames", "frames=200", NULL), "frames");
     ok(v_editor_open(NULL, &editor), "open");
     ok(v_editor_set_path(editor, path), "set_path");
     ok(v_editor_set_frame(editor, 150), "set_frame");
     for (frames = 180; frames >= 100; frames -= 80) {
-        ok(v_path_fit_frames(path, 0, 1, (size_t)frames), "fit_frames");
+        ok(v_path_tool(path, "frames", frames == 180 ? "frames=180" : "frames=100", NULL), "frames");
         ok(v_editor_set_path(editor, path), "set_path");
         serve(50);
         ok(v_editor_get_frame(editor, &frame), "get_frame");
