@@ -64,12 +64,13 @@ static V_PATH *make_path(void)
             check(v_path_set_position(path, i, xyz), "v_path_set_position");
         else
             check(v_path_insert_point(path, i, xyz), "v_path_insert_point");
-        check(v_path_set_tcb(path, i, 0.4 * sin(1.3 * n), 0.3 * sin(1.7 * n + 1.0),
-                             0.4 * sin(2.1 * n + 2.0)), "v_path_set_tcb");
+        check(v_path_set_numbers(path, v_path_key(i, -1, "own"),
+              (const double[]){0.4 * sin(1.3 * n), 0.3 * sin(1.7 * n + 1.0), 0.4 * sin(2.1 * n + 2.0)}, 3), "v_path_set_numbers");
         check(v_path_set_orientation(path, i, 0, &o), "v_path_set_orientation");
     }
     check(v_path_length(path, &length), "v_path_length");
-    check(v_path_set_base_frames(path, POSES / length, 100.0, 100.0, 100.0), "v_path_set_base_frames");
+    check(v_path_set_numbers(path, "base_speeds", (const double[]){POSES / length, 100.0, 100.0,
+          100.0}, 4), "v_path_set_numbers");
     return path;
 }
 

@@ -348,7 +348,7 @@ complete -c vides -n "__fish_vides_using_subcommand blend" -s h -l help -d 'Prin
 complete -c vides -n "__fish_vides_using_subcommand reverse" -s o -l output -d 'The output file; - is standard output' -r -F
 complete -c vides -n "__fish_vides_using_subcommand reverse" -l trust -d 'Also reads meshes and buffers that an input file names outside its folder'
 complete -c vides -n "__fish_vides_using_subcommand reverse" -s h -l help -d 'Print help'
-complete -c vides -n "__fish_vides_using_subcommand repeat" -l times -d 'How often; 1 to 1000 [default: 2]' -r
+complete -c vides -n "__fish_vides_using_subcommand repeat" -l times -d 'How often; 1 to 100000 [default: 2]' -r
 complete -c vides -n "__fish_vides_using_subcommand repeat" -s o -l output -d 'The output file; - is standard output' -r -F
 complete -c vides -n "__fish_vides_using_subcommand repeat" -l trust -d 'Also reads meshes and buffers that an input file names outside its folder'
 complete -c vides -n "__fish_vides_using_subcommand repeat" -s h -l help -d 'Print help'

@@ -157,20 +157,18 @@
 #define V_UP_Z 2
 
 
-/* ---- Modes, see v_path_set_modes() ------------------------------------------- */
+/* ---- What properties are, see v_property() ----------------------------------- */
 
 /**
- * V_ORIENTATION_TCB            smooth turning with limited speeds; the default
- * V_ORIENTATION_BARRY_GOLDMAN  smooth turning, the curve of Barry and Goldman
- * V_ORIENTATION_SLERP          straight from orientation to orientation
- * V_ZOOM_SMOOTH                smooth and without overshoot; the default
- * V_ZOOM_LINEAR                straight from value to value
+ * V_PROPERTY_NUMBER   v_path_set_number(), v_scene_set_number()
+ * V_PROPERTY_NUMBERS  v_path_set_numbers(), v_scene_set_numbers()
+ * V_PROPERTY_TEXT     v_path_set_text(), v_scene_set_text()
+ * V_PROPERTY_FLAG     v_path_set_flag(), v_scene_set_flag()
  */
-#define V_ORIENTATION_TCB 0
-#define V_ORIENTATION_BARRY_GOLDMAN 1
-#define V_ORIENTATION_SLERP 2
-#define V_ZOOM_SMOOTH 0
-#define V_ZOOM_LINEAR 1
+#define V_PROPERTY_NUMBER 0
+#define V_PROPERTY_NUMBERS 1
+#define V_PROPERTY_TEXT 2
+#define V_PROPERTY_FLAG 3
 
 
 /* ---- Kinds of easing, see v_ease() ------------------------------------------- */
@@ -235,14 +233,6 @@
 /** What a node keeps when its parent changes. */
 #define V_KEEP_PLACE 0
 #define V_KEEP_NUMBERS 1
-
-/**
- * How v_path_keep_in_picture() keeps an object in the picture: by the zoom, by moving
- * the camera along its view, by turning it.
- */
-#define V_PICTURE_ZOOM 0
-#define V_PICTURE_DISTANCE 1
-#define V_PICTURE_VIEW 2
 
 
 /* ---- Axes of a camera, see v_pose_matrix() ----------------------------------- */
@@ -393,6 +383,33 @@ struct v_orientation {
 };
 
 typedef struct v_orientation V_ORIENTATION;
+
+/** What is known of a property. The texts are constant. */
+struct v_property {
+    size_t size;
+    /**
+     * its name, with N for a number from 1 or, of nodes, a name: "point.N.view.N.zoom_mm"
+     */
+    const char *name;
+    /** V_PROPERTY_... */
+    int kind;
+    /** how many numbers it has; 0: any number */
+    size_t count;
+    /**
+     * of its numbers: "degrees", "mm", "frames", "lengths" (of your world), that of a
+     * finding, or ""
+     */
+    const char *unit;
+    /** the least and the greatest number, or -INFINITY and INFINITY */
+    double least;
+    double most;
+    /** what a new path or node has, as in a file; "": nothing */
+    const char *usual;
+    /** what it is */
+    const char *about;
+};
+
+typedef struct v_property V_PROPERTY;
 
 /**
  * A mesh: points, and the lines and triangles that connect them; without either, only
@@ -568,32 +585,6 @@ struct v_finding {
 
 typedef struct v_finding V_FINDING;
 
-/**
- * Limits of a speed profile; 0: no limit. Lengths are in units of the space's
- * half_size, as in v_path_check(), whose defaults v_limits_init() fills in.
- */
-struct v_limits {
-    size_t size;
-    /** length per second */
-    double speed;
-    /** length per second squared, in any direction */
-    double acceleration;
-    /** per second cubed, the third difference at whole frames */
-    double jerk;
-    /** degrees per second */
-    double turning;
-    /** degrees per second squared */
-    double turning_acceleration;
-    /** mm per second */
-    double zoom;
-    /**
-     * least seconds in which what is in the middle of the picture may cross it
-     */
-    double crossing;
-};
-
-typedef struct v_limits V_LIMITS;
-
 /** Options of v_path_tour(). */
 struct v_tour {
     size_t size;
@@ -649,7 +640,7 @@ struct v_editor_options {
      */
     const V_MESH *object;
     /**
-     * base speeds, see v_path_set_base_frames(). All 0: those of the path; otherwise
+     * base speeds, see the property "base_speeds". All 0: those of the path; otherwise
      * they are fixed, and those of a loaded file are ignored
      */
     double move_frames;
@@ -1033,69 +1024,6 @@ int v_path_get_position(const V_PATH *path, int at, double xyz[3]);
  */
 int v_path_move_point(V_PATH *path, int from, int to);
 
-/**
- * Sets the name of a point: one line of at most 256 bytes; "" removes it.
- * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
- */
-int v_path_set_point_name(V_PATH *path, int at, const char *name);
-
-/**
- * Gets the name of a point, "" if it has none.
- * V_ERR_RANGE, V_ERR_SIZE.
- */
-int v_path_get_point_name(const V_PATH *path,
-                          int at,
-                          char *name,
-                          size_t capacity,
-                          size_t *length);
-
-
-/* ---- Tension, continuity and bias of the curve ------------------------------- */
-
-/**
- * Sets the tension, continuity and bias of a point, each from -1 to 1 (Kochanek and
- * Bartels 1984), instead of a preset.
- * V_ERR_RANGE.
- */
-int v_path_set_tcb(V_PATH *path,
-                   int at,
-                   double tension,
-                   double continuity,
-                   double bias);
-
-/**
- * Makes a point use one of the path's presets, 0 to 9.
- * V_ERR_RANGE.
- */
-int v_path_use_preset(V_PATH *path, int at, int preset);
-
-/**
- * Gets the tension, continuity and bias in effect at a point, and its preset, or -1 if
- * it has its own values.
- * V_ERR_RANGE.
- */
-int v_path_get_tcb(const V_PATH *path,
-                   int at,
-                   double tcb[3],
-                   int *preset);
-
-/**
- * Sets one of the path's ten presets, 0 to 9, for every point that uses it. Each value
- * is from -1 to 1.
- * V_ERR_RANGE.
- */
-int v_path_set_preset(V_PATH *path,
-                      int preset,
-                      double tension,
-                      double continuity,
-                      double bias);
-
-/**
- * Gets the tension, continuity and bias of a preset, 0 to 9.
- * V_ERR_RANGE.
- */
-int v_path_get_preset(const V_PATH *path, int preset, double tcb[3]);
-
 
 /* ---- Orientations ------------------------------------------------------------ */
 
@@ -1155,26 +1083,6 @@ int v_path_set_absolute(V_PATH *path,
                         int absolute);
 
 /**
- * Makes an orientation look ahead along the path instead of at its target. Between two
- * orientations with the same distance and up, the camera looks ahead throughout.
- *
- * distance  0: along the tangent; > 0: at the position this far ahead on the curve,
- *     straight on beyond its end, at most 1e9 times half_size; < 0: no longer ahead,
- *     keeping the present direction as an offset
- * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
- */
-int v_path_set_ahead(V_PATH *path,
-                     int point,
-                     int at,
-                     double distance);
-
-/**
- * Gets how far ahead an orientation looks; -1 if it looks at its target.
- * V_ERR_RANGE.
- */
-int v_path_get_ahead(const V_PATH *path, int point, int at, double *distance);
-
-/**
  * Sets which way is up for an orientation, before its roll. Between two orientations
  * with the same view and up, the camera keeps both throughout.
  *
@@ -1211,101 +1119,109 @@ int v_path_get_up(const V_PATH *path,
                   V_PATH **up_path);
 
 
-/* ---- What holds for the whole path ------------------------------------------- */
+/* ---- Properties by name ------------------------------------------------------ */
 
 /**
- * Sets the base speeds: the frames that each movement takes at speed 50, finite and >
- * 0; larger is slower.
+ * Gets what is known of a property, counted from 0, of paths, scenes and limits.
+ * v_property_count() returns their number.
+ * V_ERR_RANGE, V_ERR_SIZE.
+ */
+int v_property(int at, V_PROPERTY *property);
+
+/** Gets the number of properties that v_property() knows. */
+int v_property_count(int *count);
+
+/**
+ * Returns the name of a property of an orientation, counted from 0, for loops:
+ * v_path_key(1, 2, "zoom") is "point.2.view.3.zoom". With orientation -1 it is one of
+ * the point, "point.2.position". Valid until the same thread's next call of this
+ * function or v_scene_key(); "" if key is NULL or not UTF-8, or an index negative.
+ */
+const char *v_path_key(int point,
+                       int orientation,
+                       const char *key);
+
+/**
+ * Sets a number of a path by its name, atomically, like `vides set`.
  *
- * move_frames  moving by half_size (v_path_set_space())
- * turn_frames  turning by 180 degrees
- * zoom_frames  zooming from 1 to 100
- * roll_frames  rolling by 90 degrees
- * V_ERR_ARGUMENT.
+ * name  a key of .vid files, points and orientations counted from 1: "fps",
+ *     "point.2.zoom" (of its first orientation), "point.2.view.3.zoom", or a limit of
+ *     v_path_check(), "check.turning". The unit at its end may be missing.
+ *     docs/reference/files.md lists them, v_property() too; v_path_key() makes names of
+ *     indices
+ * value  of a limit, INFINITY disables the check
+ *
+ * These functions fail with V_ERR_RANGE (no such property, or a value out of range),
+ * V_ERR_ARGUMENT (a property of another kind, another invalid value), V_ERR_LIMIT or
+ * V_ERR_MEMORY. v_last_error() names the property and counts as its name does, from 1.
  */
-int v_path_set_base_frames(V_PATH *path,
-                           double move_frames,
-                           double turn_frames,
-                           double zoom_frames,
-                           double roll_frames);
-
-/** Gets the base speeds. */
-int v_path_get_base_frames(const V_PATH *path,
-                           double *move_frames,
-                           double *turn_frames,
-                           double *zoom_frames,
-                           double *roll_frames);
+int v_path_set_number(V_PATH *path,
+                      const char *name,
+                      double value);
 
 /**
- * Closes a path with one more segment from the last point to the first (not 0), or
- * opens it (0).
+ * Gets a number by its name; NaN if it is not set.
+ * V_ERR_RANGE, V_ERR_ARGUMENT, V_ERR_MEMORY.
  */
-int v_path_set_closed(V_PATH *path, int closed);
-
-/** Gets whether a path is closed: 1 or 0. */
-int v_path_get_closed(const V_PATH *path, int *closed);
+int v_path_get_number(const V_PATH *path, const char *name, double *value);
 
 /**
- * Sets how the camera turns between its orientations (V_ORIENTATION_...) and how the
- * zoom changes (V_ZOOM_...).
- * V_ERR_RANGE.
+ * Sets several numbers by their name: "point.2.position" (x y z), "point.2.own"
+ * (tension, continuity, bias), "base_speeds", "point.2.ease" (V_EASE_..., rise, fall,
+ * cruise), "point.2.distance" (pairs of time and distance). With count 0 the property
+ * is again that of a new path, or no longer set.
+ * V_ERR_RANGE, V_ERR_ARGUMENT (also a wrong count), V_ERR_LIMIT, V_ERR_MEMORY.
  */
-int v_path_set_modes(V_PATH *path,
-                     int orientation_mode,
-                     int zoom_mode);
-
-/** Gets the modes. */
-int v_path_get_modes(const V_PATH *path, int *orientation_mode, int *zoom_mode);
-
-/**
- * Sets the title: one line of at most 256 bytes; "" removes it.
- * V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_MEMORY.
- */
-int v_path_set_title(V_PATH *path, const char *title);
+int v_path_set_numbers(V_PATH *path,
+                       const char *name,
+                       const double *values,
+                       size_t count);
 
 /**
- * Gets the title.
- * V_ERR_SIZE.
+ * Gets several numbers by their name; none if they are not set.
+ * V_ERR_RANGE, V_ERR_ARGUMENT, V_ERR_SIZE, V_ERR_MEMORY.
  */
-int v_path_get_title(const V_PATH *path,
-                     char *title,
-                     size_t capacity,
-                     size_t *length);
-
-/**
- * Sets the comment: any number of lines; "" removes it.
- * V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_MEMORY.
- */
-int v_path_set_comment(V_PATH *path, const char *comment);
-
-/**
- * Gets the comment.
- * V_ERR_SIZE.
- */
-int v_path_get_comment(const V_PATH *path,
-                       char *comment,
+int v_path_get_numbers(const V_PATH *path,
+                       const char *name,
+                       double *values,
                        size_t capacity,
-                       size_t *length);
+                       size_t *count);
 
 /**
- * Sets the frame rate in frames per second, > 0 and at most 100000, by default 25.
- * Poses do not change.
- * V_ERR_RANGE.
+ * Sets a text by its name: "title", "point.2.name", or the name of a choice: "curve",
+ * "orientation_mode". Other properties, too, from their text in a .vid file: "30",
+ * "[0, 1, 2]"; for these "" restores the value of a new path.
+ * V_ERR_RANGE, V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_MEMORY.
  */
-int v_path_set_fps(V_PATH *path, double fps);
-
-/** Gets the frame rate. */
-int v_path_get_fps(const V_PATH *path, double *fps);
+int v_path_set_text(V_PATH *path,
+                    const char *name,
+                    const char *value);
 
 /**
- * Sets the number of the first pose in the user's film, by default 1. Files in other
- * formats count from it, this library from 1.
+ * Gets a text or a choice by its name; another property as in a .vid file. "" if it is
+ * not set.
+ * V_ERR_RANGE, V_ERR_ARGUMENT, V_ERR_SIZE, V_ERR_MEMORY.
  */
-int v_path_set_first_frame(V_PATH *path,
-                           int number);
+int v_path_get_text(const V_PATH *path,
+                    const char *name,
+                    char *value,
+                    size_t capacity,
+                    size_t *length);
 
-/** Gets the number of the first pose. */
-int v_path_get_first_frame(const V_PATH *path, int *number);
+/**
+ * Sets a flag by its name: not 0 or 0.
+ * V_ERR_RANGE, V_ERR_ARGUMENT, V_ERR_MEMORY.
+ */
+int v_path_set_flag(V_PATH *path, const char *name, int value);
+
+/**
+ * Gets a flag by its name: 1 or 0.
+ * V_ERR_RANGE, V_ERR_ARGUMENT, V_ERR_MEMORY.
+ */
+int v_path_get_flag(const V_PATH *path, const char *name, int *value);
+
+
+/* ---- The object of a path ---------------------------------------------------- */
 
 /**
  * Sets the object shown with a path; NULL: none. The window draws its lines and the
@@ -1325,34 +1241,6 @@ int v_path_get_object(const V_PATH *path,
                       V_MESH *mesh);
 
 
-/* ---- Properties by name ------------------------------------------------------ */
-
-/**
- * Sets a property of a path by its name, like `vides set`, atomically.
- *
- * name  a key of .vid files (docs/reference/files.md), points and orientations counted from 1:
- *     "closed", "point.2.position", "point.2.zoom" (of its first orientation),
- *     "point.2.view.3.zoom" and so on
- * value  as in the file: "30" or "[0, 1, 2]". Text needs no quotes; "" restores the
- *     value of a new path
- * V_ERR_RANGE (no such property), V_ERR_ARGUMENT (not a value for it), V_ERR_LIMIT,
- * V_ERR_MEMORY.
- */
-int v_path_set_property(V_PATH *path,
-                        const char *name,
-                        const char *value);
-
-/**
- * Gets the value of a property as in a .vid file, "" if it has none.
- * V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE (no such property), V_ERR_MEMORY.
- */
-int v_path_get_property(const V_PATH *path,
-                        const char *name,
-                        char *value,
-                        size_t capacity,
-                        size_t *length);
-
-
 /* ---- Where a path lies ------------------------------------------------------- */
 
 /**
@@ -1364,7 +1252,7 @@ int v_path_get_property(const V_PATH *path,
  * up  V_UP_Y, as in a new path, or V_UP_Z
  *
  * Positions, offsets, tangents and lengths of a path are in your world's units. Base
- * frames, limits (V_LIMITS, v_path_check()) and the distances below which nothing
+ * frames, limits (v_path_check()) and the distances below which nothing
  * moves count in units of half_size.
  * V_ERR_ARGUMENT, V_ERR_RANGE.
  */
@@ -1415,25 +1303,7 @@ int v_orientation_from_pose(const V_POSE *pose,
                             V_ORIENTATION *orientation);
 
 
-/* ---- Kind of the curve, tangents --------------------------------------------- */
-
-/**
- * Sets how the curve leads through the points. Custom tangents hold in each kind.
- *
- * kind  "tcb"          by tension, continuity and bias (Kochanek and Bartels 1984);
- *                      the default
- *       "centripetal"  the same, by the distances of the points (Yuksel et al. 2011): no
- *                      way back where points are close, no cusp or loop
- *       "chordal"      likewise, but a cusp or loop is possible
- *       "cubic"        a cubic spline with a continuous second derivative
- *       "linear"       straight
- * V_ERR_RANGE.
- */
-int v_path_set_curve(V_PATH *path,
-                     const char *kind);
-
-/** Gets the kind of the curve; the text is constant. */
-int v_path_get_curve(const V_PATH *path, const char **kind);
+/* ---- Tangents, points on the curve ------------------------------------------- */
 
 /**
  * Gives a point custom tangents: the derivatives with which the curve reaches it
@@ -1466,7 +1336,8 @@ int v_path_get_tangents(const V_PATH *path,
  * speed profile. Such tangents are removed when their point or a neighbour moves alone;
  * v_path_set_tangents() makes them permanent. *at receives the index; it may be NULL.
  *
- * frame  not at a key, not in a pan, not with V_ORIENTATION_BARRY_GOLDMAN
+ * frame  not at a key, not in a pan, not with orientation_mode
+ *     "barry-goldman"
  * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_insert_on_curve(V_PATH *path,
@@ -1491,112 +1362,6 @@ int v_ease(int kind,
            double t,
            double *distance,
            double *speed);
-
-/**
- * Makes a section speed up, cruise and slow down, instead of using the ten speeds of
- * the orientation with which it begins (point, at) or a distance curve.
- *
- * kind  V_EASE_..., or -1: back to the ten speeds; the other values are ignored
- * rise, fall  as in v_ease()
- * cruise  the cruising speed, 1 to 100
- * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
- */
-int v_path_set_ease(V_PATH *path,
-                    int point,
-                    int at,
-                    int kind,
-                    double rise,
-                    double fall,
-                    double cruise);
-
-/**
- * Gets the ease of a section, see v_path_set_ease(); kind -1 and zeros if it has none.
- * V_ERR_RANGE.
- */
-int v_path_get_ease(const V_PATH *path,
-                    int point,
-                    int at,
-                    int *kind,
-                    double *rise,
-                    double *fall,
-                    double *cruise);
-
-/**
- * Sets the distance as a function of time in a section (point, at), instead of ten
- * speeds or an ease. It runs smoothly through the keys and never goes back.
- *
- * time_way  pairs (fraction of the time, of the distance), from 0, 0 to 1, 1, both
- *     increasing
- * keys  number of pairs, 2 to 32; 0: back to the ten speeds
- * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
- */
-int v_path_set_distance(V_PATH *path,
-                        int point,
-                        int at,
-                        const double *time_way,
-                        size_t keys);
-
-/**
- * Gets the pairs of v_path_set_distance(), if any; capacity and *keys count pairs.
- * V_ERR_RANGE, V_ERR_SIZE.
- */
-int v_path_get_distance(const V_PATH *path,
-                        int point,
-                        int at,
-                        double *time_way,
-                        size_t capacity,
-                        size_t *keys);
-
-
-/* ---- Fixed frames ------------------------------------------------------------ */
-
-/**
- * Fixes the number of frames of the section that begins with an orientation; 0: it
- * follows from the length. A section in which nothing changes always has 0 frames. A
- * path has at most 100000000.
- * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
- */
-int v_path_set_frames(V_PATH *path,
-                      int point,
-                      int at,
-                      size_t frames);
-
-/**
- * Gets the fixed frames of a section, see v_path_set_frames().
- * V_ERR_RANGE.
- */
-int v_path_get_frames(const V_PATH *path, int point, int at, size_t *frames);
-
-/**
- * Sets whether v_path_fit_frames() keeps the frames of the section that begins with an
- * orientation (not 0) or not (0).
- * V_ERR_RANGE, V_ERR_MEMORY.
- */
-int v_path_set_frames_locked(V_PATH *path,
-                             int point,
-                             int at,
-                             int locked);
-
-/**
- * Gets whether the frames of a section are locked: 1 or 0.
- * V_ERR_RANGE.
- */
-int v_path_get_frames_locked(const V_PATH *path, int point, int at, int *locked);
-
-/**
- * Fixes the frames of all moving sections between two points, so that it takes exactly
- * frames from the first pose at first_point to the last pose at last_point, holds
- * included. 0 and the last point stand for the whole path, if closed with the way back
- * to the first. On a closed path first_point may be after last_point.
- *
- * Sections share the frames in proportion to those they have, at least one each; locked
- * ones keep theirs. If frames is too small, v_last_error() returns the least.
- * V_ERR_RANGE, V_ERR_MEMORY.
- */
-int v_path_fit_frames(V_PATH *path,
-                      int first_point,
-                      int last_point,
-                      size_t frames);
 
 
 /* ---- The curve --------------------------------------------------------------- */
@@ -1629,6 +1394,55 @@ int v_path_point_at_length(const V_PATH *path,
                            int segment,
                            double s,
                            double xyz[3]);
+
+
+/* ---- Tools by name ----------------------------------------------------------- */
+
+/**
+ * Changes a path by a tool, atomically. docs/reference/tools.md and planning.md describe
+ * the tools; they are those of the window and the command.
+ *
+ * "reverse"  the same poses in reverse order
+ * "repeat"   count times, each beginning where the last one ended: times
+ * "frames"   fixes the frames from the first pose at one point to the last pose at
+ *            another: frames, first, last. Sections share them in proportion, at least
+ *            one each; those with "locked" keep theirs
+ * "retime"   speed as fast as the limits of v_path_check() allow, or for a duration with
+ *            the lowest peaks: seconds, first, last. Reports "seconds"
+ * "steady"   stabilises a recorded flight: period in seconds, within. Reports
+ *            "furthest", "turned"
+ * "avoid"    leads a path clear of an object: clearance, radius. Reports "parts",
+ *            "moved", "inserted", "furthest"
+ * "picture"  keeps an object in the picture: margin, what (zoom, distance, view).
+ *            Reports "added", "tightest", "loosest"
+ *
+ * Also "move", "turn", "scale", "mirror", "taper", "bulge", "twist", "bend", "free-form",
+ * and the moves of v_path_from_move() and "tour", which replace the path's points, or with
+ * put are inserted after its first one.
+ *
+ * tool  its name
+ * options  lines of name=value ("frames=250\nlast=3"), the others have their defaults;
+ *     NULL: none. Points count from 1, from the first to the last point by default; 0 and
+ *     the last stand for the whole path, if closed with the way back to the first
+ * object  an object in the coordinates of the path, for "avoid" and "picture"; NULL: the
+ *     path's own. Others ignore it
+ *
+ * v_last_warning() returns lines about what was done, or ""; v_last_number() numbers.
+ * V_ERR_ARGUMENT (no such tool or option, a value for it, no way: v_last_error() names
+ * the place), V_ERR_RANGE, V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED.
+ */
+int v_path_tool(V_PATH *path,
+                const char *tool,
+                const char *options,
+                const V_MESH *object);
+
+/**
+ * Gets a number that the calling thread's last v_path_tool() reported, by the name given
+ * there.
+ * V_ERR_ARGUMENT (no such number).
+ */
+int v_last_number(const char *name,
+                  double *value);
 
 
 /* ---- Tools ------------------------------------------------------------------- */
@@ -1739,20 +1553,6 @@ int v_path_insert_path(V_PATH *path,
                        int at,
                        const V_PATH *block,
                        int fit);
-
-/**
- * Reverses a path: the same poses in reverse order. Views that look ahead do so in the
- * new direction.
- * V_ERR_MEMORY.
- */
-int v_path_reverse(V_PATH *path);
-
-/**
- * Repeats a path count times. Each repetition begins where the last one ended, with
- * its targets; a closed path is run through count times.
- * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
- */
-int v_path_repeat(V_PATH *path, int count);
 
 /**
  * Makes the weighted sum of paths, point by point: positions, curve, targets, roll,
@@ -1880,11 +1680,13 @@ int v_path_seconds_at_frame(const V_PATH *path, double frame, double *seconds);
 
 /**
  * Gets the motion of the camera at a frame: lengths in the units of the positions,
- * seconds by v_path_set_fps(). At a key it is the motion after the key; at the last
+ * seconds by the property "fps". At a key it is the motion after the key; at the last
  * frame, before it.
  * V_ERR_SIZE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
-int v_path_motion(const V_PATH *path, double frame, V_MOTION *motion);
+int v_path_motion(const V_PATH *path,
+                  double frame,
+                  V_MOTION *motion);
 
 
 /* ---- Scenes: made, loaded, saved, freed -------------------------------------- */
@@ -2070,68 +1872,78 @@ int v_scene_get_space(const V_SCENE *scene,
                       int *up);
 
 
-/* ---- What a scene is called -------------------------------------------------- */
+/* ---- Properties of scenes by name -------------------------------------------- */
 
 /**
- * Sets the title, like v_path_set_title().
- * V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_MEMORY.
+ * Returns the name of a property of a node, counted from 0, for loops, like
+ * v_path_key(): v_scene_key(1, "intensity") is "node.2.intensity".
  */
-int v_scene_set_title(V_SCENE *scene, const char *title);
+const char *v_scene_key(int node, const char *key);
 
 /**
- * Gets the title.
- * V_ERR_SIZE.
+ * Sets a number of a scene by its name, like v_path_set_number().
+ *
+ * name  "fps", "first_frame", a limit, "check.turning", or a value of a node at rest by its
+ *     name or its number from 1: "node.lamp.intensity", "node.2.intensity".
+ *     docs/reference/files.md lists them; v_scene_key() makes names of indices
+ * V_ERR_RANGE, V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_MEMORY.
  */
-int v_scene_get_title(const V_SCENE *scene,
-                      char *title,
-                      size_t capacity,
-                      size_t *length);
+int v_scene_set_number(V_SCENE *scene,
+                       const char *name,
+                       double value);
 
 /**
- * Sets the comment, like v_path_set_comment().
- * V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_MEMORY.
+ * Gets a number by its name; NaN if it is not set.
+ * V_ERR_RANGE, V_ERR_ARGUMENT, V_ERR_MEMORY.
  */
-int v_scene_set_comment(V_SCENE *scene, const char *comment);
+int v_scene_get_number(const V_SCENE *scene, const char *name, double *value);
 
 /**
- * Gets the comment.
- * V_ERR_SIZE.
+ * Sets several numbers by their name, like v_path_set_numbers(): "node.lamp.colour".
+ * V_ERR_RANGE, V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_MEMORY.
  */
-int v_scene_get_comment(const V_SCENE *scene,
-                        char *comment,
+int v_scene_set_numbers(V_SCENE *scene,
+                        const char *name,
+                        const double *values,
+                        size_t count);
+
+/**
+ * Gets several numbers by their name.
+ * V_ERR_RANGE, V_ERR_ARGUMENT, V_ERR_SIZE, V_ERR_MEMORY.
+ */
+int v_scene_get_numbers(const V_SCENE *scene,
+                        const char *name,
+                        double *values,
                         size_t capacity,
-                        size_t *length);
+                        size_t *count);
 
 /**
- * Sets the frame rate, like v_path_set_fps(). Positions at frames do not change.
- * V_ERR_RANGE.
+ * Sets a text by its name, like v_path_set_text(): "title", "comment".
+ * V_ERR_RANGE, V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_MEMORY.
  */
-int v_scene_set_fps(V_SCENE *scene, double fps);
-
-/** Gets the frame rate. */
-int v_scene_get_fps(const V_SCENE *scene, double *fps);
+int v_scene_set_text(V_SCENE *scene, const char *name, const char *value);
 
 /**
- * Sets the number shown to users for frame 1, by default 1. This library always uses
- * the scene's own frames.
+ * Gets a text by its name, like v_path_get_text().
+ * V_ERR_RANGE, V_ERR_ARGUMENT, V_ERR_SIZE, V_ERR_MEMORY.
  */
-int v_scene_set_first_frame(V_SCENE *scene,
-                            int number);
-
-/** Gets the number shown to users for frame 1. */
-int v_scene_get_first_frame(const V_SCENE *scene, int *number);
-
-/**
- * Sets the limit of a finding, like v_path_set_limit().
- * V_ERR_ARGUMENT (no such kind), V_ERR_RANGE.
- */
-int v_scene_set_limit(V_SCENE *scene, const char *kind, double limit);
+int v_scene_get_text(const V_SCENE *scene,
+                     const char *name,
+                     char *value,
+                     size_t capacity,
+                     size_t *length);
 
 /**
- * Gets the limit of a finding.
- * V_ERR_ARGUMENT (no such kind).
+ * Sets a flag by its name, not 0 or 0: "node.lamp.visible".
+ * V_ERR_RANGE, V_ERR_ARGUMENT, V_ERR_MEMORY.
  */
-int v_scene_get_limit(const V_SCENE *scene, const char *kind, double *limit);
+int v_scene_set_flag(V_SCENE *scene, const char *name, int value);
+
+/**
+ * Gets a flag by its name: 1 or 0.
+ * V_ERR_RANGE, V_ERR_ARGUMENT, V_ERR_MEMORY.
+ */
+int v_scene_get_flag(const V_SCENE *scene, const char *name, int *value);
 
 
 /* ---- What is shown of a scene ------------------------------------------------ */
@@ -2617,7 +2429,8 @@ int v_path_fit_poses_robust(const V_POSE *poses,
 /**
  * Finds what will look wrong: jerks, flips, collisions. Writes one finding per kind
  * and run of frames to your array, in their order. docs/reference/tools.md describes
- * the kinds; in parentheses their default limits, lengths in units of half_size.
+ * the kinds; in parentheses their default limits, lengths in units of half_size. v_path_set_number()
+ * sets the limit of one as "check.turning" and so on; it is saved.
  *
  * "space"         outside the space (0)
  * "cusp"          curve or speed nearly stop (0.02 of the mean)
@@ -2643,7 +2456,7 @@ int v_path_fit_poses_robust(const V_POSE *poses,
  * A hold, or a turn on the spot, between sections without an ease counts as a
  * "speed-jump", an "acceleration" or a "turning-acceleration" only if that limit is not
  * the default. The distance to the object is computed three times per frame, as by
- * v_path_avoid().
+ * the tool "avoid".
  *
  * object  the obstacle, in the coordinates of the path; NULL: the path's own, with its
  *     faces, if it has one
@@ -2658,110 +2471,8 @@ int v_path_check(const V_PATH *path,
                  size_t capacity,
                  size_t *count);
 
-/**
- * Sets the limit of a kind of finding (v_path_check()), which is saved; INFINITY
- * disables the kind.
- * V_ERR_ARGUMENT (no such kind), V_ERR_RANGE.
- */
-int v_path_set_limit(V_PATH *path, const char *kind, double limit);
-
-/**
- * Gets the limit of a kind of finding; INFINITY: disabled.
- * V_ERR_ARGUMENT (no such kind).
- */
-int v_path_get_limit(const V_PATH *path, const char *kind, double *limit);
-
 
 /* ---- Planning ---------------------------------------------------------------- */
-
-/**
- * Fills in the defaults of v_path_check(): acceleration 10, turning 60,
- * turning_acceleration 300, zoom 30; no other limits.
- */
-void v_limits_init(V_LIMITS *limits);
-
-/** Like v_limits_init(), for a struct of size bytes. */
-void v_limits_init_sized(V_LIMITS *limits, size_t size);
-
-/**
- * Recomputes the speed profile between the first orientation of one point and the last
- * of another, as fast as the limits allow, in at most 40 rounds over the sections.
- * Curve and views do not change. The camera rests at the ends of an open path, at held
- * keys, and where curve or view have a kink, which v_last_warning() lists. The sections
- * get fixed frames, a distance curve and a curve time.
- *
- * limits  NULL: the path's own, see v_path_set_limit()
- * first_point, last_point  as for v_path_fit_frames()
- * seconds  0: as few as the limits allow; otherwise this duration, to a whole frame,
- *     with the lowest peaks; the last frame of the path counts, too
- * V_ERR_SIZE, V_ERR_ARGUMENT (no limit, one that is not positive, too few seconds:
- * v_last_error() names the least), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY,
- * V_ERR_REFUSED.
- */
-int v_path_retime(V_PATH *path,
-                  const V_LIMITS *limits,
-                  int first_point,
-                  int last_point,
-                  double seconds);
-
-/**
- * Stabilises a recorded flight: a low-pass filter without lag at whole frames, then
- * v_path_fit_poses() with as many frames. The first and the last pose do not change.
- * Names, targets and modes are discarded; a closed path becomes open. v_last_warning()
- * returns how far the path moved.
- *
- * period  cut-off period: motion of this period is halved, faster motion is removed;
- *     > 0 and at most 2,000 frames
- * within  maximum distance any position may move; 0: no limit
- * V_ERR_ARGUMENT (a path that does not move, no path within the limit), V_ERR_RANGE,
- * V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED.
- */
-int v_path_steady(V_PATH *path,
-                  double period,
-                  double within);
-
-/**
- * Moves a path away from an object where the camera, or a sphere around it, comes
- * nearer than the clearance or passes through: points move as little, and as few are
- * added, as possible. Points that were clear do not move, except within a closed part of
- * the object between others outside. Frames and targets do not change. v_last_warning()
- * returns a line for each changed part, or "".
- *
- * A part takes at most a few searches of a grid with 96 cells along its longest side;
- * a distance, the logarithm of the number of triangles, up to that number if they
- * overlap widely.
- *
- * object  in the coordinates of the path; NULL: the path's own
- * clearance, radius  in the path's units; clearance > 0, radius of the sphere 0 or
- *     more
- * V_ERR_SIZE, V_ERR_ARGUMENT (no way round: v_last_error() names the frame and the
- * place; an object without geometry), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY,
- * V_ERR_REFUSED.
- */
-int v_path_avoid(V_PATH *path,
-                 const V_MESH *object,
-                 double clearance,
-                 double radius);
-
-/**
- * Keeps an object whole in the picture less margin, at every frame and between. By zoom
- * or distance it is as large as the margin and the path's limits of zoom, or of speed
- * and acceleration, allow; by the view the camera turns no more than necessary. Frames
- * and speed profile do not change; points are added where keys are not enough. Takes 20
- * positions per frame, each tried at most 60 times.
- *
- * object  in the coordinates of the path; NULL: the path's own, with the objects of
- *     its scene
- * margin  the fraction of the picture's width and height (36 x 24 mm) to keep free on
- *     each side, from 0 to below 0.5
- * what  V_PICTURE_...
- * V_ERR_ARGUMENT (no object, or it does not fit into the picture, with the frame),
- * V_ERR_RANGE, V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED.
- */
-int v_path_keep_in_picture(V_PATH *path,
-                           const V_MESH *object,
-                           double margin,
-                           int what);
 
 /**
  * Fills in the default tour: 60 seconds, coverage 0.95, outside the object, at a
@@ -3223,7 +2934,6 @@ int v_pose_projection(const V_POSE *pose,
 #define v_editor_options_init(options) \
     v_editor_options_init_sized(options, sizeof(V_EDITOR_OPTIONS))
 #define v_space_init(space) v_space_init_sized(space, sizeof(V_SPACE))
-#define v_limits_init(limits) v_limits_init_sized(limits, sizeof(V_LIMITS))
 #define v_tour_init(tour) v_tour_init_sized(tour, sizeof(V_TOUR))
 
 #endif  /* LIBVIDES_H */

@@ -6,7 +6,7 @@ use std::fs;
 use std::path::Path;
 
 /// The files with exports, in the order in which the header shows them.
-const SOURCES: [&str; 35] = [
+const SOURCES: [&str; 37] = [
     "status",
     "types",
     "legacy",
@@ -14,18 +14,20 @@ const SOURCES: [&str; 35] = [
     "path",
     "points",
     "orientations",
-    "settings",
     "properties",
+    "path_object",
     "space",
     "shape",
     "pace",
     "curve",
+    "toolbox",
     "tools",
     "poses",
     "times",
     "scene_types",
     "scene",
     "scene_space",
+    "scene_properties",
     "scene_shown",
     "scene_tracks",
     "scene_contents",

@@ -16,8 +16,7 @@ use vides as _;
 unsafe extern "C" {
     fn v_path_new(path: *mut *mut c_void) -> c_int;
     fn v_path_free(path: *mut c_void);
-    fn v_path_set_title(path: *mut c_void, title: *const c_char) -> c_int;
-    fn v_path_set_comment(path: *mut c_void, comment: *const c_char) -> c_int;
+    fn v_path_set_text(path: *mut c_void, name: *const c_char, value: *const c_char) -> c_int;
     fn v_editor_options_init_sized(options: *mut Options, size: usize);
     fn v_editor_open(options: *const Options, editor: *mut *mut c_void) -> c_int;
 }
@@ -38,8 +37,9 @@ fn a_text_beyond_its_limit_is_not_copied() {
     // SAFETY: room for a handle; a handle and a text ended by zero.
     unsafe {
         assert_eq!(v_path_new(&raw mut path), V_OK);
-        for set in [v_path_set_title, v_path_set_comment] {
-            let status = with_at_most(LONG / 2, || set(path, long.as_ptr()));
+        for name in [c"title", c"comment"] {
+            let set = || v_path_set_text(path, name.as_ptr(), long.as_ptr());
+            let status = with_at_most(LONG / 2, set);
             assert_eq!(status, V_ERR_LIMIT);
         }
         v_path_free(path);

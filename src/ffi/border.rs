@@ -1,6 +1,6 @@
 //! The wrapper around every export's body.
 
-use std::ffi::c_int;
+use std::ffi::{c_char, c_int};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use super::status::{Answer, clear_last_error, set_last_error};
@@ -23,6 +23,13 @@ impl Returned for f64 {
     /// NaN, which no result is; [`super::status::v_last_error`] returns the reason.
     fn failed(_: c_int) -> Self {
         Self::NAN
+    }
+}
+
+impl Returned for *const c_char {
+    /// An empty text; [`super::status::v_last_error`] returns the reason.
+    fn failed(_: c_int) -> Self {
+        c"".as_ptr()
     }
 }
 

@@ -5,8 +5,8 @@ use std::ffi::c_int;
 use glam::{DMat3, DMat4, DQuat, DVec3};
 
 use super::border::border;
+use super::curve::positive;
 use super::pointers::{Out, read, read_array, read_vector};
-use super::settings::positive;
 use super::status::{Answer, Failure, V_ERR_INTERNAL};
 use super::types::V_POSE;
 use crate::math::camera::{CameraAxes, Clip};

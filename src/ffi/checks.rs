@@ -4,17 +4,16 @@ use std::ffi::{CStr, c_char, c_int};
 use std::ptr;
 
 use super::border::border;
-use super::path::{edit_by, insert_new, read};
-use super::pointers::{ArrayOut, Out, count, optional, read_growing, slice, text};
+use super::path::{insert_new, read};
+use super::pointers::{ArrayOut, Out, count, optional, read_growing, slice};
 use super::progress::watched;
 use super::scene_tracks::mesh;
 use super::scene_types::V_MESH;
 use super::space::{checked, up_from_c};
 use super::status::{Answer, Name, V_ERR_INTERNAL, add_last_warning, clear_last_warning};
 use super::types::{V_PATH, V_POSE, V_SPACE};
-use crate::document::Edit;
 use crate::path::Pose;
-use crate::tools::check::{COUNT, Finding, FindingKind};
+use crate::tools::check::{COUNT, Finding};
 use crate::tools::fit::{Fitted, Options, Tolerance, fit};
 
 /// Something that v_path_check() found. It does not grow.
@@ -226,7 +225,8 @@ unsafe fn fitted(
 
 /// Finds what will look wrong: jerks, flips, collisions. Writes one finding per kind
 /// and run of frames to your array, in their order. docs/reference/tools.md describes
-/// the kinds; in parentheses their default limits, lengths in units of half_size.
+/// the kinds; in parentheses their default limits, lengths in units of half_size. v_path_set_number()
+/// sets the limit of one as "check.turning" and so on; it is saved.
 ///
 /// "space"         outside the space (0)
 /// "cusp"          curve or speed nearly stop (0.02 of the mean)
@@ -252,7 +252,7 @@ unsafe fn fitted(
 /// A hold, or a turn on the spot, between sections without an ease counts as a
 /// "speed-jump", an "acceleration" or a "turning-acceleration" only if that limit is not
 /// the default. The distance to the object is computed three times per frame, as by
-/// v_path_avoid().
+/// the tool "avoid".
 ///
 /// object  the obstacle, in the coordinates of the path; NULL: the path's own, with its
 ///     faces, if it has one
@@ -294,49 +294,10 @@ pub unsafe extern "C" fn v_path_check(
     })
 }
 
-/// Sets the limit of a kind of finding (v_path_check()), which is saved; INFINITY
-/// disables the kind.
-/// V_ERR_ARGUMENT (no such kind), V_ERR_RANGE.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn v_path_set_limit(
-    path: *mut V_PATH,
-    kind: *const c_char,
-    limit: f64,
-) -> c_int {
-    border(V_ERR_INTERNAL, || {
-        // SAFETY: a text ended by zero, as the header says.
-        let kind = unsafe { text(kind, "kind") }?;
-        edit_by(path, |document| {
-            let mut info = document.info().clone();
-            info.limits.set(FindingKind::parse(kind)?, limit)?;
-            Ok(Edit::SetInfo(Box::new(info)))
-        })
-    })
-}
-
-/// Gets the limit of a kind of finding; INFINITY: disabled.
-/// V_ERR_ARGUMENT (no such kind).
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn v_path_get_limit(
-    path: *const V_PATH,
-    kind: *const c_char,
-    limit: *mut f64,
-) -> c_int {
-    border(V_ERR_INTERNAL, || {
-        let out = Out::new(limit, "limit")?;
-        // SAFETY: a text ended by zero, as the header says.
-        let kind = unsafe { text(kind, "kind") }?;
-        let limit = read(path, |document| {
-            Ok(document.info().limits.get(FindingKind::parse(kind)?))
-        })?;
-        // SAFETY: room for a double, as the header says.
-        unsafe { out.answer(limit) }
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::tools::check::FindingKind;
 
     #[test]
     fn the_names_are_those_of_the_engine() {

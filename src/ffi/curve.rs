@@ -10,6 +10,7 @@ use super::types::V_PATH;
 use crate::document::Document;
 use crate::error::Refused;
 use crate::path::arc_length::ArcLength;
+use crate::path::camera_path::check_base_speed;
 use crate::path::hermite::Cubic;
 
 /// The index of a segment given by C.
@@ -26,6 +27,11 @@ fn segment(document: &Document, number: c_int) -> Answer<usize> {
 fn cubic(document: &Document, number: c_int) -> Answer<Cubic> {
     let segment = segment(document, number)?;
     Ok(document.timeline(|timeline| *timeline.curve(segment))?)
+}
+
+/// A number that must be finite and greater than 0.
+pub(super) fn positive(given: f64, name: &'static str) -> Answer<()> {
+    check_base_speed(given).map_err(|_| Failure::NotPositive { name, given })
 }
 
 /// A finite number between 0 and `end`.

@@ -9,6 +9,7 @@ use std::sync::OnceLock;
 use super::border::border;
 use super::callbacks::Callbacks;
 use super::counted::TryArc;
+use super::curve::positive;
 use super::handles::{Handles, KIND_EDITOR};
 use super::host_loop;
 use super::object::wireframe;
@@ -16,7 +17,6 @@ use super::path::{insert, read};
 use super::pointers::{
     Growing, Out, bytes, file_name, init, optional, optional_text, read_growing, read_optional,
 };
-use super::settings::positive;
 use super::space::up_from_c;
 use super::status::{
     Answer, Failure, V_ERR_CLOSED, V_ERR_HANDLE, V_ERR_INTERNAL, V_OK, clear_last_error,

@@ -29,7 +29,7 @@ fn path() -> *mut V_PATH {
     call!(V_OK, v_path_new(&raw mut path));
     call!(
         V_OK,
-        super::settings::v_path_set_base_frames(path, 8.0, 8.0, 8.0, 8.0)
+        super::properties::v_path_set_numbers(path, c"base_speeds".as_ptr(), [8.0; 4].as_ptr(), 4)
     );
     path
 }

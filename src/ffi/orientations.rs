@@ -13,7 +13,7 @@ use super::pointers::{
 use super::points::point;
 use super::status::{Answer, V_ERR_INTERNAL};
 use super::types::{V_ORIENTATION, V_PATH};
-use crate::document::{Document, Edit, Info, no_longer_ahead};
+use crate::document::{Document, Edit, Info};
 use crate::error::{Invalid, OutOfRange, Refused};
 use crate::path::{
     Orientation, OrientationOverrides, Overrides, Target, Tcb, Up, UpPath, UpVector,
@@ -94,7 +94,7 @@ fn change(
 }
 
 /// Changes the overrides of an orientation.
-pub(super) fn change_own(
+fn change_own(
     path: *mut V_PATH,
     point: c_int,
     at: c_int,
@@ -107,7 +107,7 @@ pub(super) fn change_own(
 }
 
 /// An orientation named by C's indices.
-pub(super) fn orientation(document: &Document, point: c_int, at: c_int) -> Answer<&Orientation> {
+fn orientation(document: &Document, point: c_int, at: c_int) -> Answer<&Orientation> {
     let (point, support) = self::point(document, point, "point")?;
     let (orientation, all) = (index(at, "at")?, &support.orientations);
     all.get(orientation).ok_or_else(|| {
@@ -259,57 +259,6 @@ pub unsafe extern "C" fn v_path_set_absolute(
                 absolute: absolute != 0,
             },
         )
-    })
-}
-
-/// Makes an orientation look ahead along the path instead of at its target. Between two
-/// orientations with the same distance and up, the camera looks ahead throughout.
-///
-/// distance  0: along the tangent; > 0: at the position this far ahead on the curve,
-///     straight on beyond its end, at most 1e9 times half_size; < 0: no longer ahead,
-///     keeping the present direction as an offset
-/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn v_path_set_ahead(
-    path: *mut V_PATH,
-    point: c_int,
-    at: c_int,
-    distance: f64,
-) -> c_int {
-    border(V_ERR_INTERNAL, || {
-        edit_by(path, |document| {
-            let mut new = orientation(document, point, at)?.clone();
-            let (point, at) = (index(point, "point")?, index(at, "at")?);
-            if distance < 0.0 {
-                new = no_longer_ahead(document.path(), point, at)?;
-            } else {
-                new.own = new.own.with(|own| own.ahead = Some(distance))?;
-            }
-            Ok(Edit::SetOrientation {
-                point,
-                at,
-                orientation: new,
-            })
-        })
-    })
-}
-
-/// Gets how far ahead an orientation looks; -1 if it looks at its target.
-/// V_ERR_RANGE.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn v_path_get_ahead(
-    path: *const V_PATH,
-    point: c_int,
-    at: c_int,
-    distance: *mut f64,
-) -> c_int {
-    border(V_ERR_INTERNAL, || {
-        let out = Out::new(distance, "distance")?;
-        let ahead = read(path, |document| {
-            Ok(orientation(document, point, at)?.own.ahead)
-        })?;
-        // SAFETY: room for a double, as the header says.
-        unsafe { out.answer(ahead.unwrap_or(-1.0)) }
     })
 }
 

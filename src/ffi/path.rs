@@ -78,14 +78,6 @@ pub(super) fn edit(path: *mut V_PATH, edit: Edit) -> Answer<c_int> {
     edit_by(path, |_| Ok(edit))
 }
 
-/// Applies several edits, all or none.
-pub(super) fn edits<const N: usize>(path: *mut V_PATH, edits: [Edit; N]) -> Answer<c_int> {
-    change(path, |document| {
-        document.apply_all(edits)?;
-        Ok(V_OK)
-    })
-}
-
 /// As [`edit`], with an edit that depends on the path.
 pub(super) fn edit_by(
     path: *mut V_PATH,

@@ -1,42 +1,336 @@
-//! Properties of a path by the names of their keys in files.
+//! Properties of paths by name.
 
-use std::ffi::{c_char, c_int};
+use std::cell::UnsafeCell;
+use std::ffi::{CString, c_char, c_int};
+use std::fmt::{self, Write as _};
+use std::sync::OnceLock;
 
 use super::border::border;
 use super::path::{change, read};
-use super::pointers::{TextOut, text};
-use super::status::{V_ERR_INTERNAL, V_OK};
+use super::pointers::{
+    ArrayOut, Growing, GrowingOut, MAX_TEXT, Out, TextOut, count, index, most, slice, text,
+};
+use super::status::{Answer, Failure, V_ERR_INTERNAL, V_OK};
 use super::types::V_PATH;
+use crate::document::{self, Form, Given, properties};
+use crate::property::{Kind, Owner};
+use crate::tools::check::FindingKind;
+
+/// ==== What properties are, see v_property() ====
+///
+/// V_PROPERTY_NUMBER   v_path_set_number(), v_scene_set_number()
+/// V_PROPERTY_NUMBERS  v_path_set_numbers(), v_scene_set_numbers()
+/// V_PROPERTY_TEXT     v_path_set_text(), v_scene_set_text()
+/// V_PROPERTY_FLAG     v_path_set_flag(), v_scene_set_flag()
+pub const V_PROPERTY_NUMBER: c_int = 0;
+pub const V_PROPERTY_NUMBERS: c_int = 1;
+pub const V_PROPERTY_TEXT: c_int = 2;
+pub const V_PROPERTY_FLAG: c_int = 3;
+
+/// What is known of a property. The texts are constant.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct v_property {
+    pub size: usize,
+    /// its name, with N for a number from 1 or, of nodes, a name: "point.N.view.N.zoom_mm"
+    pub name: *const c_char,
+    /// V_PROPERTY_...
+    pub kind: c_int,
+    /// how many numbers it has; 0: any number
+    pub count: usize,
+    /// of its numbers: "degrees", "mm", "frames", "lengths" (of your world), that of a
+    /// finding, or ""
+    pub unit: *const c_char,
+    /// the least and the greatest number, or -INFINITY and INFINITY
+    pub least: f64,
+    pub most: f64,
+    /// what a new path or node has, as in a file; "": nothing
+    pub usual: *const c_char,
+    /// what it is
+    pub about: *const c_char,
+}
+
+pub type V_PROPERTY = v_property;
+
+// SAFETY: a number of bytes first, then pointers and numbers.
+unsafe impl Growing for V_PROPERTY {
+    const NAME: &'static str = "V_PROPERTY";
+    const FIRST: usize = size_of::<V_PROPERTY>();
+}
+
+/// A row with its texts for C.
+struct Known {
+    texts: [CString; 4],
+    kind: c_int,
+    count: usize,
+    range: (f64, f64),
+}
+
+fn known() -> &'static [Known] {
+    static KNOWN: OnceLock<Vec<Known>> = OnceLock::new();
+    KNOWN.get_or_init(|| {
+        let text = |text: &str| CString::new(text).unwrap_or_default();
+        let known = |name: &str, kind: Kind, [unit, usual, about]: [&str; 3], range| Known {
+            texts: [name, unit, usual, about].map(text),
+            kind: match Form::of(kind) {
+                Form::Number => V_PROPERTY_NUMBER,
+                Form::Numbers => V_PROPERTY_NUMBERS,
+                Form::Text => V_PROPERTY_TEXT,
+                Form::Flag => V_PROPERTY_FLAG,
+            },
+            count: match Form::of(kind) {
+                Form::Numbers => Form::width(kind),
+                _ => 1,
+            },
+            range,
+        };
+        let all = properties().into_iter().map(|row| {
+            let before = match row.owner {
+                Owner::Path => "",
+                Owner::Point => "point.N.",
+                Owner::View => "point.N.view.N.",
+                Owner::Node => "node.N.",
+            };
+            let texts = [row.unit.name(), &row.new, row.does];
+            let range = row.range.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
+            known(&format!("{before}{}", row.key), row.kind, texts, range)
+        });
+        let limits = FindingKind::all().map(|kind| {
+            let limit = kind.limit();
+            let (name, usual) = (format!("check.{}", limit.name), limit.default.to_string());
+            let about = format!("Limit of a check: {}", limit.does);
+            let range = (limit.least, f64::INFINITY);
+            known(&name, Kind::Number, [kind.unit(), &usual, &about], range)
+        });
+        all.chain(limits).collect()
+    })
+}
 
 /// ==== Properties by name ====
 ///
-/// Sets a property of a path by its name, like `vides set`, atomically.
-///
-/// name  a key of .vid files (docs/reference/files.md), points and orientations counted from 1:
-///     "closed", "point.2.position", "point.2.zoom" (of its first orientation),
-///     "point.2.view.3.zoom" and so on
-/// value  as in the file: "30" or "[0, 1, 2]". Text needs no quotes; "" restores the
-///     value of a new path
-/// V_ERR_RANGE (no such property), V_ERR_ARGUMENT (not a value for it), V_ERR_LIMIT,
-/// V_ERR_MEMORY.
+/// Gets what is known of a property, counted from 0, of paths, scenes and limits.
+/// v_property_count() returns their number.
+/// V_ERR_RANGE, V_ERR_SIZE.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn v_path_set_property(
+pub unsafe extern "C" fn v_property(at: c_int, property: *mut V_PROPERTY) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        // SAFETY: a struct as its size says, as the header demands.
+        let out = unsafe { GrowingOut::new(property, "property") }?;
+        let (at, all) = (index(at, "at")?, known());
+        let (what, count) = ("property", all.len());
+        let found = all.get(at).ok_or(Failure::NoEntry { what, at, count })?;
+        let [name, unit, usual, about] = found.texts.each_ref().map(|text| text.as_ptr());
+        let property = v_property {
+            size: size_of::<V_PROPERTY>(),
+            name,
+            kind: found.kind,
+            count: found.count,
+            unit,
+            least: found.range.0,
+            most: found.range.1,
+            usual,
+            about,
+        };
+        // SAFETY: as above.
+        unsafe { out.answer(property) }
+    })
+}
+
+/// Gets the number of properties that v_property() knows.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_property_count(count: *mut c_int) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = Out::new(count, "count")?;
+        let all = self::count(known().len())?;
+        // SAFETY: room for an int, as the header says.
+        unsafe { out.answer(all) }
+    })
+}
+
+/// What a call by name answers: a failure says the name, and counts as that does, from 1.
+pub(super) fn named<T>(result: document::Result<T>) -> Answer<T> {
+    result.map_err(Failure::of_property)
+}
+
+/// A text of a host's for a property, of a length that a file can have.
+///
+/// # Safety
+/// `value` is NULL or points to a zero-terminated text, unchanged during `'a`.
+pub(super) unsafe fn value_text<'a>(value: *const c_char) -> Answer<Given<'a>> {
+    // SAFETY: as required of the caller.
+    let value = unsafe { text(value, "value") }?;
+    most(value.len(), MAX_TEXT, "the length of value")?;
+    Ok(Given::Text(value))
+}
+
+/// Numbers of a host's for a property; NULL if there are none.
+///
+/// # Safety
+/// As for [`slice`].
+pub(super) unsafe fn value_numbers<'a>(values: *const f64, count: usize) -> Answer<Given<'a>> {
+    match count {
+        0 => Ok(Given::Numbers(&[])),
+        // SAFETY: as required of the caller.
+        _ => Ok(Given::Numbers(unsafe { slice(values, count, "values") }?)),
+    }
+}
+
+/// Writes numbers as the result of a call.
+///
+/// # Safety
+/// There is room for so many numbers, and for their count.
+pub(super) unsafe fn answer_numbers(out: ArrayOut<f64>, numbers: &[f64]) -> Answer<c_int> {
+    // SAFETY: as required of the caller.
+    unsafe {
+        if out.wants(numbers.len())? {
+            out.room(numbers.len())?.copy_from_slice(numbers);
+        }
+        out.answer(numbers.len())
+    }
+}
+
+/// Writes the name of a property into a buffer of this thread; one that is too long is cut short,
+/// and then no property has it.
+pub(super) fn thread_key(name: fmt::Arguments<'_>) -> *const c_char {
+    struct Key([u8; 128], usize);
+    impl fmt::Write for Key {
+        fn write_str(&mut self, s: &str) -> fmt::Result {
+            let room = &mut self.0[self.1..127];
+            let length = s.len().min(room.len());
+            room[..length].copy_from_slice(&s.as_bytes()[..length]);
+            self.1 += length;
+            Ok(())
+        }
+    }
+    thread_local! {
+        static KEY: UnsafeCell<Key> = const { UnsafeCell::new(Key([0; 128], 0)) };
+    }
+    let mut key = Key([0; 128], 0);
+    let _ = key.write_fmt(name);
+    KEY.with(|buffer| {
+        // SAFETY: the cell belongs to this thread, and the reference ends here.
+        let buffer = unsafe { &mut *buffer.get() };
+        *buffer = key;
+        buffer.0.as_ptr().cast()
+    })
+}
+
+/// Returns the name of a property of an orientation, counted from 0, for loops:
+/// v_path_key(1, 2, "zoom") is "point.2.view.3.zoom". With orientation -1 it is one of
+/// the point, "point.2.position". Valid until the same thread's next call of this
+/// function or v_scene_key(); "" if key is NULL or not UTF-8, or an index negative.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_key(
+    point: c_int,
+    orientation: c_int,
+    key: *const c_char,
+) -> *const c_char {
+    border(c"".as_ptr(), || {
+        // SAFETY: a zero-terminated text, as the header says.
+        let (key, point) = (unsafe { text(key, "key") }?, index(point, "point")? + 1);
+        if orientation == -1 {
+            return Ok(thread_key(format_args!("point.{point}.{key}")));
+        }
+        let view = index(orientation, "orientation")? + 1;
+        Ok(thread_key(format_args!("point.{point}.view.{view}.{key}")))
+    })
+}
+
+/// Sets a number of a path by its name, atomically, like `vides set`.
+///
+/// name  a key of .vid files, points and orientations counted from 1: "fps",
+///     "point.2.zoom" (of its first orientation), "point.2.view.3.zoom", or a limit of
+///     v_path_check(), "check.turning". The unit at its end may be missing.
+///     docs/reference/files.md lists them, v_property() too; v_path_key() makes names of
+///     indices
+/// value  of a limit, INFINITY disables the check
+///
+/// These functions fail with V_ERR_RANGE (no such property, or a value out of range),
+/// V_ERR_ARGUMENT (a property of another kind, another invalid value), V_ERR_LIMIT or
+/// V_ERR_MEMORY. v_last_error() names the property and counts as its name does, from 1.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_set_number(
+    path: *mut V_PATH,
+    name: *const c_char,
+    value: f64,
+) -> c_int {
+    // SAFETY: a zero-terminated text, as the header says.
+    unsafe { set(path, name, || Ok(Given::Number(value))) }
+}
+
+/// Gets a number by its name; NaN if it is not set.
+/// V_ERR_RANGE, V_ERR_ARGUMENT, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_get_number(
+    path: *const V_PATH,
+    name: *const c_char,
+    value: *mut f64,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = Out::new(value, "value")?;
+        // SAFETY: a zero-terminated text, as the header says.
+        let name = unsafe { text(name, "name") }?;
+        let number = read(path, |document| named(document.number_of(name)))?;
+        // SAFETY: room for a double, as the header says.
+        unsafe { out.answer(number.unwrap_or(f64::NAN)) }
+    })
+}
+
+/// Sets several numbers by their name: "point.2.position" (x y z), "point.2.own"
+/// (tension, continuity, bias), "base_speeds", "point.2.ease" (V_EASE_..., rise, fall,
+/// cruise), "point.2.distance" (pairs of time and distance). With count 0 the property
+/// is again that of a new path, or no longer set.
+/// V_ERR_RANGE, V_ERR_ARGUMENT (also a wrong count), V_ERR_LIMIT, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_set_numbers(
+    path: *mut V_PATH,
+    name: *const c_char,
+    values: *const f64,
+    count: usize,
+) -> c_int {
+    // SAFETY: a zero-terminated text and so many doubles, as the header says.
+    unsafe { set(path, name, || value_numbers(values, count)) }
+}
+
+/// Gets several numbers by their name; none if they are not set.
+/// V_ERR_RANGE, V_ERR_ARGUMENT, V_ERR_SIZE, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_get_numbers(
+    path: *const V_PATH,
+    name: *const c_char,
+    values: *mut f64,
+    capacity: usize,
+    count: *mut usize,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = ArrayOut::new(values, capacity, count, ["values", "count"])?;
+        // SAFETY: a zero-terminated text, as the header says.
+        let name = unsafe { text(name, "name") }?;
+        let numbers = read(path, |document| named(document.numbers_of(name)))?;
+        // SAFETY: room for so many doubles and a size_t, as the header says.
+        unsafe { answer_numbers(out, &numbers) }
+    })
+}
+
+/// Sets a text by its name: "title", "point.2.name", or the name of a choice: "curve",
+/// "orientation_mode". Other properties, too, from their text in a .vid file: "30",
+/// "[0, 1, 2]"; for these "" restores the value of a new path.
+/// V_ERR_RANGE, V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_set_text(
     path: *mut V_PATH,
     name: *const c_char,
     value: *const c_char,
 ) -> c_int {
-    border(V_ERR_INTERNAL, || {
-        // SAFETY: zero-terminated texts, as the header says.
-        let (name, value) = unsafe { (text(name, "name")?, text(value, "value")?) };
-        change(path, |document| Ok(document.set_property(name, value)?))?;
-        Ok(V_OK)
-    })
+    // SAFETY: zero-terminated texts, as the header says.
+    unsafe { set(path, name, || value_text(value)) }
 }
 
-/// Gets the value of a property as in a .vid file, "" if it has none.
-/// V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE (no such property), V_ERR_MEMORY.
+/// Gets a text or a choice by its name; another property as in a .vid file. "" if it is
+/// not set.
+/// V_ERR_RANGE, V_ERR_ARGUMENT, V_ERR_SIZE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn v_path_get_property(
+pub unsafe extern "C" fn v_path_get_text(
     path: *const V_PATH,
     name: *const c_char,
     value: *mut c_char,
@@ -47,8 +341,55 @@ pub unsafe extern "C" fn v_path_get_property(
         let out = TextOut::new(value, capacity, length, "value")?;
         // SAFETY: a zero-terminated text, as the header says.
         let name = unsafe { text(name, "name") }?;
-        let value = read(path, |document| Ok(document.property(name)?))?;
+        let value = read(path, |document| named(document.text_of(name)))?;
         // SAFETY: room as the header says.
         unsafe { out.write(value.as_bytes()) }
+    })
+}
+
+/// Sets a flag by its name: not 0 or 0.
+/// V_ERR_RANGE, V_ERR_ARGUMENT, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_set_flag(
+    path: *mut V_PATH,
+    name: *const c_char,
+    value: c_int,
+) -> c_int {
+    // SAFETY: a zero-terminated text, as the header says.
+    unsafe { set(path, name, || Ok(Given::Flag(value != 0))) }
+}
+
+/// Gets a flag by its name: 1 or 0.
+/// V_ERR_RANGE, V_ERR_ARGUMENT, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_get_flag(
+    path: *const V_PATH,
+    name: *const c_char,
+    value: *mut c_int,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = Out::new(value, "value")?;
+        // SAFETY: a zero-terminated text, as the header says.
+        let name = unsafe { text(name, "name") }?;
+        let on = read(path, |document| named(document.flag_of(name)))?;
+        // SAFETY: room for an int, as the header says.
+        unsafe { out.answer(c_int::from(on)) }
+    })
+}
+
+/// Sets a property of a path.
+///
+/// # Safety
+/// `name` is NULL or points to a zero-terminated text.
+unsafe fn set<'a>(
+    path: *mut V_PATH,
+    name: *const c_char,
+    given: impl FnOnce() -> Answer<Given<'a>>,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        // SAFETY: as required of the caller.
+        let (name, given) = (unsafe { text(name, "name") }?, given()?);
+        change(path, |document| named(document.set_value(name, given)))?;
+        Ok(V_OK)
     })
 }

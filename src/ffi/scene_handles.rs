@@ -11,9 +11,8 @@ use super::counted::TryArc;
 use super::handles::{Handles, KIND_SCENE};
 use super::scene_types::V_SCENE;
 use super::status::{Answer, Failure, V_ERR_BUSY, V_ERR_INTERNAL, V_OK};
-use crate::document::{Info, SceneDocument};
+use crate::document::SceneDocument;
 use crate::inject;
-use crate::property::{Value, find};
 use crate::scene::Scene;
 use crate::scene::removal::Removal;
 
@@ -161,25 +160,6 @@ pub(super) fn edit<R>(
     change: impl FnOnce(&mut SceneDocument) -> Answer<R>,
 ) -> Answer<R> {
     write(scene, |held| change(held.settle()))
-}
-
-/// Sets a property of the scene's file, by its row.
-pub(super) fn set_info(
-    scene: *mut V_SCENE,
-    key: &'static str,
-    value: impl Into<Value>,
-) -> Answer<c_int> {
-    let mut value = value.into();
-    edit(scene, |SceneDocument { info, scene, .. }| {
-        if let Some(row) = find(Info::PROPERTIES, key) {
-            (row.exchange)(info, &mut value);
-            if let Err(error) = (row.check)(info, scene.space()) {
-                (row.exchange)(info, &mut value);
-                return Err(error.into());
-            }
-        }
-        Ok(V_OK)
-    })
 }
 
 /// Makes one change of a scene.

@@ -1,49 +1,18 @@
-//! The kind of the curve, tangents that points own, and points put on the curve.
+//! Tangents that points own, and points put on the curve.
 
-use std::ffi::{c_char, c_int};
+use std::ffi::c_int;
 
 use super::border::border;
 use super::path::{edit, edit_and, read};
-use super::pointers::{Out, bytes, count, index, read_vector};
+use super::pointers::{Out, count, index, read_vector};
 use super::points::point;
-use super::status::{Failure, V_ERR_INTERNAL, V_OK};
+use super::status::{V_ERR_INTERNAL, V_OK};
 use super::types::V_PATH;
 use crate::document::{At, Edit};
-use crate::path::{CurveKind, Tangents, curve};
+use crate::path::{Tangents, curve};
 
-/// ==== Kind of the curve, tangents ====
+/// ==== Tangents, points on the curve ====
 ///
-/// Sets how the curve leads through the points. Custom tangents hold in each kind.
-///
-/// kind  "tcb"          by tension, continuity and bias (Kochanek and Bartels 1984);
-///                      the default
-///       "centripetal"  the same, by the distances of the points (Yuksel et al. 2011): no
-///                      way back where points are close, no cusp or loop
-///       "chordal"      likewise, but a cusp or loop is possible
-///       "cubic"        a cubic spline with a continuous second derivative
-///       "linear"       straight
-/// V_ERR_RANGE.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn v_path_set_curve(path: *mut V_PATH, kind: *const c_char) -> c_int {
-    border(V_ERR_INTERNAL, || {
-        // SAFETY: a text ended by zero, as the header says.
-        let name = String::from_utf8_lossy(unsafe { bytes(kind, "kind") }?);
-        let kind = CurveKind::named(&name).ok_or_else(|| Failure::NoCurveKind((&name).into()))?;
-        edit(path, Edit::set(At::Path, "curve", kind))
-    })
-}
-
-/// Gets the kind of the curve; the text is constant.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn v_path_get_curve(path: *const V_PATH, kind: *mut *const c_char) -> c_int {
-    border(V_ERR_INTERNAL, || {
-        let out = Out::new(kind, "kind")?;
-        let kind = read(path, |document| Ok(document.path().curve))?;
-        // SAFETY: room for a pointer, as the header says.
-        unsafe { out.answer(kind.c_name().as_ptr()) }
-    })
-}
-
 /// Gives a point custom tangents: the derivatives with which the curve reaches it
 /// (before) and leaves it (after), a segment counting 1; if both are NULL, those of the
 /// curve's kind again. Coordinates as in v_path_insert_point().
@@ -113,7 +82,8 @@ pub unsafe extern "C" fn v_path_get_tangents(
 /// speed profile. Such tangents are removed when their point or a neighbour moves alone;
 /// v_path_set_tangents() makes them permanent. *at receives the index; it may be NULL.
 ///
-/// frame  not at a key, not in a pan, not with V_ORIENTATION_BARRY_GOLDMAN
+/// frame  not at a key, not in a pan, not with orientation_mode
+///     "barry-goldman"
 /// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_insert_on_curve(

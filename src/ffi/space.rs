@@ -110,7 +110,7 @@ impl SpaceOut {
 /// up  V_UP_Y, as in a new path, or V_UP_Z
 ///
 /// Positions, offsets, tangents and lengths of a path are in your world's units. Base
-/// frames, limits (V_LIMITS, v_path_check()) and the distances below which nothing
+/// frames, limits (v_path_check()) and the distances below which nothing
 /// moves count in units of half_size.
 /// V_ERR_ARGUMENT, V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[centre; 3]]

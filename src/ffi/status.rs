@@ -12,7 +12,6 @@ use crate::error::{
 };
 use crate::formats;
 use crate::instance::Error;
-use crate::path::CurveKind;
 
 /// ==== Version of this header ====
 ///
@@ -124,12 +123,17 @@ pub(super) enum Failure {
         given: c_int,
         known: &'static str,
     },
-    #[error("there is no kind of curve \"{0}\"; known: {known}", known = CurveKind::NAMES.join(", "))]
-    NoCurveKind(Text),
     #[error("options->language is \"{0}\"; known: de, en")]
     NoLanguage(Text),
     #[error("{name} is {given}, but the number of an X window has at most 32 bits")]
     NoWindow { name: &'static str, given: c_ulong },
+    #[error("there is no tool \"{0}\" for a path")]
+    NoTool(Text),
+    #[error("the last tool reported no number \"{0}\"")]
+    NoNumber(Text),
+    /// An error of a property, which counts as its name does.
+    #[error("{1}")]
+    Property(c_int, Text),
     #[error("there is no {what} {at} among {count}, counted from 0")]
     NoEntry {
         what: &'static str,
@@ -195,9 +199,17 @@ impl Failure {
         Self::Border(V_ERR_ARGUMENT, sentence)
     }
 
+    /// An error of a property: its sentence is made here, where counting starts at 1.
+    pub(super) fn of_property(error: crate::document::Error) -> Self {
+        match error.kind() {
+            ErrorKind::Memory => error.into(),
+            kind => Self::Property(status_of(kind), (&error).into()),
+        }
+    }
+
     pub(super) fn status(&self) -> c_int {
         match self {
-            Self::Border(status, _) => *status,
+            Self::Border(status, _) | Self::Property(status, _) => *status,
             Self::Library(error) => status_of(error.kind()),
             Self::Format(error) => status_of(error.kind()),
             Self::Null(_) => V_ERR_NULL,
@@ -207,6 +219,8 @@ impl Failure {
             | Self::NoLanguage(_)
             | Self::NotFinite { .. }
             | Self::Zero(_)
+            | Self::NoTool(_)
+            | Self::NoNumber(_)
             | Self::NotPositive { .. } => V_ERR_ARGUMENT,
             Self::Size { .. } | Self::NoRoom { .. } => V_ERR_SIZE,
             Self::TooMany { .. } => V_ERR_LIMIT,
@@ -215,7 +229,6 @@ impl Failure {
             | Self::NoSuchCount { .. }
             | Self::NotMultiple { .. }
             | Self::Unknown { .. }
-            | Self::NoCurveKind(_)
             | Self::NoWindow { .. }
             | Self::NoEntry { .. }
             | Self::NoSection { .. }

@@ -95,7 +95,7 @@ pub unsafe extern "C" fn v_path_seconds_at_frame(
 }
 
 /// Gets the motion of the camera at a frame: lengths in the units of the positions,
-/// seconds by v_path_set_fps(). At a key it is the motion after the key; at the last
+/// seconds by the property "fps". At a key it is the motion after the key; at the last
 /// frame, before it.
 /// V_ERR_SIZE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]

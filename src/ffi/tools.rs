@@ -7,7 +7,7 @@ use glam::DMat4;
 
 use super::border::border;
 use super::path::{edit, edit_by, insert, insert_new, read};
-use super::pointers::{Out, how_many, index, most, optional, read_array, slice, text};
+use super::pointers::{Out, index, most, optional, read_array, slice, text};
 use super::points::point;
 use super::scene_tracks::{bounds, deformation};
 use super::space::optional_space;
@@ -265,24 +265,6 @@ pub unsafe extern "C" fn v_path_insert_path(
     })
 }
 
-/// Reverses a path: the same poses in reverse order. Views that look ahead do so in the
-/// new direction.
-/// V_ERR_MEMORY.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn v_path_reverse(path: *mut V_PATH) -> c_int {
-    border(V_ERR_INTERNAL, || edit(path, Edit::Reverse))
-}
-
-/// Repeats a path count times. Each repetition begins where the last one ended, with
-/// its targets; a closed path is run through count times.
-/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn v_path_repeat(path: *mut V_PATH, count: c_int) -> c_int {
-    border(V_ERR_INTERNAL, || {
-        edit(path, Edit::Repeat(how_many(count, "count")?))
-    })
-}
-
 /// Makes the weighted sum of paths, point by point: positions, curve, targets, roll,
 /// zoom and speeds; also fixed frames (rounded), angular velocities and slopes that all
 /// have. Paths with fewer points are first resampled by length. Everything else comes
@@ -331,8 +313,8 @@ mod tests {
     use std::ptr::null_mut;
 
     use crate::ffi::path::{v_path_clone, v_path_free, v_path_new};
-    use crate::ffi::settings::{
-        v_path_get_fps, v_path_get_title, v_path_set_fps, v_path_set_title,
+    use crate::ffi::properties::{
+        v_path_get_number, v_path_get_text, v_path_set_number, v_path_set_text,
     };
     use crate::ffi::status::V_OK;
     use crate::tools::moves::MOVES;
@@ -346,14 +328,26 @@ mod tests {
         unsafe {
             assert_eq!(v_path_new(&raw mut paths[0]), V_OK);
             assert_eq!(v_path_clone(paths[0], &raw mut paths[1]), V_OK);
-            assert_eq!(v_path_set_fps(paths[0], 50.0), V_OK);
-            assert_eq!(v_path_set_fps(paths[1], 60.0), V_OK);
-            assert_eq!(v_path_set_title(paths[1], c"heavy".as_ptr()), V_OK);
+            assert_eq!(v_path_set_number(paths[0], c"fps".as_ptr(), 50.0), V_OK);
+            assert_eq!(v_path_set_number(paths[1], c"fps".as_ptr(), 60.0), V_OK);
+            assert_eq!(
+                v_path_set_text(paths[1], c"title".as_ptr(), c"heavy".as_ptr()),
+                V_OK
+            );
             let weights = [0.25, 0.75];
             let status = super::v_path_blend(paths.as_ptr(), weights.as_ptr(), 2, &raw mut blend);
             assert_eq!(status, V_OK);
-            assert_eq!(v_path_get_fps(blend, &raw mut fps), V_OK);
-            let status = v_path_get_title(blend, title.as_mut_ptr(), 8, &raw mut length);
+            assert_eq!(
+                v_path_get_number(blend, c"fps".as_ptr(), &raw mut fps),
+                V_OK
+            );
+            let status = v_path_get_text(
+                blend,
+                c"title".as_ptr(),
+                title.as_mut_ptr(),
+                8,
+                &raw mut length,
+            );
             assert_eq!(status, V_OK);
             for path in [paths[0], paths[1], blend] {
                 v_path_free(path);

@@ -215,30 +215,6 @@ pub struct v_space {
 
 pub type V_SPACE = v_space;
 
-/// Limits of a speed profile; 0: no limit. Lengths are in units of the space's
-/// half_size, as in v_path_check(), whose defaults v_limits_init() fills in.
-#[repr(C)]
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct v_limits {
-    pub size: usize,
-    /// length per second
-    pub speed: f64,
-    /// length per second squared, in any direction
-    pub acceleration: f64,
-    /// per second cubed, the third difference at whole frames
-    pub jerk: f64,
-    /// degrees per second
-    pub turning: f64,
-    /// degrees per second squared
-    pub turning_acceleration: f64,
-    /// mm per second
-    pub zoom: f64,
-    /// least seconds in which what is in the middle of the picture may cross it
-    pub crossing: f64,
-}
-
-pub type V_LIMITS = v_limits;
-
 /// Options of v_path_tour().
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -277,7 +253,7 @@ pub struct v_editor_options {
     pub path: *const V_PATH,
     /// an object to show, at which a new path looks; NULL: that of the path
     pub object: *const V_MESH,
-    /// base speeds, see v_path_set_base_frames(). All 0: those of the path; otherwise
+    /// base speeds, see the property "base_speeds". All 0: those of the path; otherwise
     /// they are fixed, and those of a loaded file are ignored
     pub move_frames: f64,
     pub turn_frames: f64,

@@ -7,6 +7,7 @@
 #define CHECK_H
 
 #include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -24,6 +25,10 @@ static int failures;
     check_status(call, status, __FILE__, __LINE__, #call)
 
 #define OK(call) STATUS(V_OK, call)
+
+/* An array of these numbers, and how many they are. */
+#define NUMBERS(...) \
+    (const double[]){__VA_ARGS__}, sizeof((const double[]){__VA_ARGS__}) / sizeof(double)
 
 /* Both numbers are equal to within epsilon. */
 #define NEAR(a, b, epsilon) \
@@ -54,6 +59,18 @@ static void check_near(double a, double b, double epsilon, const char *file, int
         failures++;
         fprintf(stderr, "%s:%d: %s is %.17g instead of %.17g\n", file, line, what, a, b);
     }
+}
+
+/* v_path_tool() with options as printf() writes them. */
+static int tool(V_PATH *path, const char *name, const V_MESH *object, const char *options, ...)
+{
+    char text[500];
+    va_list numbers;
+
+    va_start(numbers, options);
+    vsnprintf(text, sizeof text, options, numbers);
+    va_end(numbers);
+    return v_path_tool(path, name, text, object);
 }
 
 /* A new path, or the end of the test. */

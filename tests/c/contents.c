@@ -97,12 +97,12 @@ static V_SCENE *everything(void)
     OK(v_scene_set_marker(scene, "again", 0.1));
     OK(v_scene_pin(scene, 0, 1, "meet"));
     OK(v_scene_pin(scene, late, 0, "again"));
-    OK(v_scene_set_title(scene, "everything"));
-    OK(v_scene_set_comment(scene, "In\ntwo lines"));
-    OK(v_scene_set_fps(scene, 24));
-    OK(v_scene_set_first_frame(scene, -7));
-    OK(v_scene_set_limit(scene, "turning", 7));
-    OK(v_scene_set_limit(scene, "pole", INFINITY));
+    OK(v_scene_set_text(scene, "title", "everything"));
+    OK(v_scene_set_text(scene, "comment", "In\ntwo lines"));
+    OK(v_scene_set_number(scene, "fps", 24));
+    OK(v_scene_set_number(scene, "first_frame", -7));
+    OK(v_scene_set_number(scene, "check.turning", 7));
+    OK(v_scene_set_number(scene, "check.pole", INFINITY));
     OK(v_scene_set_camera(scene, eye));
     OK(v_scene_set_range(scene, -0.5, 40));
     v_path_free(path);
@@ -161,11 +161,12 @@ static void copy_motion(const V_SCENE *from, V_SCENE *to, int at)
 
 static void copy_rest(const V_SCENE *from, V_SCENE *to)
 {
-    static const char *const kinds[] = {"space", "turning", "pole", "jerk"};
+    static const char *const limits[] = {"check.space", "check.turning", "check.pole",
+        "check.jerk"};
     const char *name = NULL;
     char title[300], comment[300];
-    double centre[3], half_size = 0, frame = 0, limit = 0, first = 0, last = 0, fps = 0;
-    int up = 0, all = 0, node = -1, point = -1, number = 0, k;
+    double centre[3], half_size = 0, frame = 0, limit = 0, first = 0, last = 0, fps = 0, number = 0;
+    int up = 0, all = 0, node = -1, point = -1, k;
     size_t length = 0;
     OK(v_scene_get_space(from, centre, &half_size, &up));
     OK(v_scene_set_space(to, centre, half_size, up));
@@ -181,17 +182,17 @@ static void copy_rest(const V_SCENE *from, V_SCENE *to)
         strcpy(title, name);
         OK(v_scene_pin(to, node, point, title));
     }
-    OK(v_scene_get_title(from, title, sizeof title, &length));
-    OK(v_scene_set_title(to, title));
-    OK(v_scene_get_comment(from, comment, sizeof comment, &length));
-    OK(v_scene_set_comment(to, comment));
-    OK(v_scene_get_fps(from, &fps));
-    OK(v_scene_set_fps(to, fps));
-    OK(v_scene_get_first_frame(from, &number));
-    OK(v_scene_set_first_frame(to, number));
+    OK(v_scene_get_text(from, "title", title, sizeof title, &length));
+    OK(v_scene_set_text(to, "title", title));
+    OK(v_scene_get_text(from, "comment", comment, sizeof comment, &length));
+    OK(v_scene_set_text(to, "comment", comment));
+    OK(v_scene_get_number(from, "fps", &fps));
+    OK(v_scene_set_number(to, "fps", fps));
+    OK(v_scene_get_number(from, "first_frame", &number));
+    OK(v_scene_set_number(to, "first_frame", number));
     for (k = 0; k < 4; k++) {
-        OK(v_scene_get_limit(from, kinds[k], &limit));
-        OK(v_scene_set_limit(to, kinds[k], limit));
+        OK(v_scene_get_number(from, limits[k], &limit));
+        OK(v_scene_set_number(to, limits[k], limit));
     }
     OK(v_scene_get_camera(from, &node));
     OK(v_scene_set_camera(to, node));
@@ -415,12 +416,12 @@ static void what_goes(void)
     CHECK(count == 1);
     OK(v_scene_pin_count(scene, &count));
     CHECK(count == 1);
-    STATUS(V_ERR_RANGE, v_scene_set_fps(scene, 0));
-    STATUS(V_ERR_RANGE, v_scene_set_fps(scene, NAN));
-    STATUS(V_ERR_ARGUMENT, v_scene_set_title(scene, "two\nlines"));
-    STATUS(V_ERR_ARGUMENT, v_scene_set_limit(scene, "weather", 1));
-    STATUS(V_ERR_ARGUMENT, v_scene_set_limit(scene, "turning", NAN));
-    OK(v_scene_get_fps(scene, &values[0]));
+    STATUS(V_ERR_RANGE, v_scene_set_number(scene, "fps", 0));
+    STATUS(V_ERR_RANGE, v_scene_set_number(scene, "fps", NAN));
+    STATUS(V_ERR_ARGUMENT, v_scene_set_text(scene, "title", "two\nlines"));
+    STATUS(V_ERR_RANGE, v_scene_set_number(scene, "check.weather", 1));
+    STATUS(V_ERR_ARGUMENT, v_scene_set_number(scene, "check.turning", NAN));
+    OK(v_scene_get_number(scene, "fps", &values[0]));
     CHECK(values[0] == 24);
     v_scene_free(scene);
 }

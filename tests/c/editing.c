@@ -27,48 +27,51 @@ static void a_new_path(void)
         {0, 0, 0}, {0.3, 0, 0}, {0.6, 0, 0}, {-0.3, 0, 0}, {-0.6, 0, 0},
         {0, -0.5, 0}, {0, 0.5, 0}, {0, 0, 0.5}, {0, 0, -0.5}, {0, 0, 0},
     };
-    double tcb[3], speeds[4];
-    int i, preset = -7, closed = -7, mode = -7, zoom = -7;
+    double numbers[30], preset = -7;
+    char text[20];
+    size_t count = 0;
+    int closed = -7;
     CHECK(points_of(path) == 2);
     position_is(path, 0, -0.6, 0.2, 0.8);
     position_is(path, 1, 0.6, 0.2, 0.8);
-    for (i = 0; i < 10; i++) {
-        OK(v_path_get_preset(path, i, tcb));
-        CHECK(memcmp(tcb, presets[i], sizeof tcb) == 0);
-    }
-    OK(v_path_get_tcb(path, 1, tcb, &preset));
-    CHECK(preset == 0 && tcb[0] == 0 && tcb[1] == 0 && tcb[2] == 0);
-    OK(v_path_get_base_frames(path, &speeds[0], &speeds[1], &speeds[2], &speeds[3]));
-    CHECK(speeds[0] == 100 && speeds[1] == 100 && speeds[2] == 100 && speeds[3] == 100);
-    OK(v_path_get_closed(path, &closed));
+    OK(v_path_get_numbers(path, "presets", numbers, 30, &count));
+    CHECK(count == 30 && memcmp(numbers, presets, sizeof presets) == 0);
+    OK(v_path_get_number(path, "point.2.preset", &preset));
+    CHECK(preset == 0);
+    OK(v_path_get_numbers(path, "base_speeds", numbers, 4, &count));
+    CHECK(numbers[0] == 100 && numbers[1] == 100 && numbers[2] == 100 && numbers[3] == 100);
+    OK(v_path_get_flag(path, "closed", &closed));
     CHECK(closed == 0);
-    OK(v_path_get_modes(path, &mode, &zoom));
-    CHECK(mode == V_ORIENTATION_TCB && zoom == V_ZOOM_SMOOTH);
+    OK(v_path_get_text(path, "orientation_mode", text, sizeof text, &count));
+    CHECK(strcmp(text, "tcb") == 0);
+    OK(v_path_get_text(path, "zoom_mode", text, sizeof text, &count));
+    CHECK(strcmp(text, "smooth") == 0);
     v_path_free(path);
 }
 
 static void inserting_and_removing(void)
 {
     V_PATH *path = new_path();
-    double xyz[3] = {0, 0.5, 0};
-    int preset, i;
-    double tcb[3];
+    double xyz[3] = {0, 0.5, 0}, tcb[3], preset;
+    size_t count;
+    int i;
 
-    OK(v_path_use_preset(path, 0, 3));
-    OK(v_path_set_tcb(path, 1, 0.1, 0.2, 0.3));
+    OK(v_path_set_number(path, v_path_key(0, -1, "preset"), 3));
+    OK(v_path_set_numbers(path, v_path_key(1, -1, "own"), NUMBERS(0.1, 0.2, 0.3)));
     OK(v_path_insert_point(path, 1, xyz)); /* from its predecessor */
     CHECK(points_of(path) == 3);
     position_is(path, 1, 0, 0.5, 0);
-    OK(v_path_get_tcb(path, 1, tcb, &preset));
-    CHECK(preset == 3 && tcb[0] == -0.3);
+    OK(v_path_get_number(path, "point.2.preset", &preset));
+    CHECK(preset == 3);
     xyz[0] = -0.9;
     OK(v_path_insert_point(path, 0, xyz)); /* from its successor */
-    OK(v_path_get_tcb(path, 0, NULL, &preset));
+    OK(v_path_get_number(path, "point.1.preset", &preset));
     CHECK(preset == 3);
     xyz[0] = 0.9;
     OK(v_path_insert_point(path, 4, xyz)); /* at the end */
-    OK(v_path_get_tcb(path, 4, tcb, &preset));
-    CHECK(preset == -1 && tcb[0] == 0.1 && tcb[1] == 0.2 && tcb[2] == 0.3);
+    OK(v_path_get_number(path, "point.5.preset", &preset));
+    OK(v_path_get_numbers(path, "point.5.own", tcb, 3, &count));
+    CHECK(isnan(preset) && tcb[0] == 0.1 && tcb[1] == 0.2 && tcb[2] == 0.3);
     position_is(path, 4, 0.9, 0.5, 0);
 
     STATUS(V_ERR_RANGE, v_path_insert_point(path, 6, xyz));
@@ -118,7 +121,7 @@ static void dividing(void)
     STATUS(V_ERR_RANGE, v_path_divide_segment(path, 0, 11));
     STATUS(V_ERR_RANGE, v_path_divide_segment(path, 0, -1));
     CHECK(points_of(path) == 7);
-    OK(v_path_set_closed(path, 1));
+    OK(v_path_set_flag(path, "closed", 1));
     OK(v_path_divide_segment(path, 6, 1)); /* the segment that closes it */
     CHECK(points_of(path) == 8);
     v_path_free(path);
@@ -127,14 +130,16 @@ static void dividing(void)
 static void shape(void)
 {
     V_PATH *path = new_path();
-    double tcb[3];
-    int preset, i;
-    OK(v_path_set_preset(path, 9, -1, 1, 0.25));
-    OK(v_path_get_preset(path, 9, tcb));
+    double tcb[3], preset;
+    size_t count;
+    int i;
+    OK(v_path_set_numbers(path, "presets.9", NUMBERS(-1, 1, 0.25)));
+    OK(v_path_get_numbers(path, "presets.9", tcb, 3, &count));
     CHECK(tcb[0] == -1 && tcb[1] == 1 && tcb[2] == 0.25);
-    OK(v_path_use_preset(path, 0, 9));
-    OK(v_path_set_preset(path, 9, 0, 0, 0.5)); /* the point follows */
-    OK(v_path_get_tcb(path, 0, tcb, &preset));
+    OK(v_path_set_number(path, v_path_key(0, -1, "preset"), 9));
+    OK(v_path_set_numbers(path, "presets.9", NUMBERS(0, 0, 0.5))); /* the point follows */
+    OK(v_path_get_number(path, "point.1.preset", &preset));
+    OK(v_path_get_numbers(path, "presets.9", tcb, 3, &count));
     CHECK(preset == 9 && tcb[0] == 0 && tcb[2] == 0.5);
     for (i = 0; i < 3; i++) {
         static const double bad[4] = {1.0000001, -1.0000001, NAN, INFINITY};
@@ -142,19 +147,20 @@ static void shape(void)
         for (k = 0; k < 4; k++) {
             double v[3] = {0, 0, 0};
             v[i] = bad[k];
-            STATUS(V_ERR_RANGE, v_path_set_tcb(path, 0, v[0], v[1], v[2]));
-            STATUS(V_ERR_RANGE, v_path_set_preset(path, 9, v[0], v[1], v[2]));
+            STATUS(V_ERR_RANGE, v_path_set_numbers(path, v_path_key(0, -1, "own"), NUMBERS(v[0],
+                   v[1], v[2])));
+            STATUS(V_ERR_RANGE, v_path_set_numbers(path, "presets.9", NUMBERS(v[0], v[1], v[2])));
         }
     }
-    STATUS(V_ERR_RANGE, v_path_set_tcb(path, 2, 0, 0, 0));
-    STATUS(V_ERR_RANGE, v_path_use_preset(path, 0, 10));
-    STATUS(V_ERR_RANGE, v_path_use_preset(path, 0, -1));
-    STATUS(V_ERR_RANGE, v_path_use_preset(path, 2, 0));
-    STATUS(V_ERR_RANGE, v_path_set_preset(path, 10, 0, 0, 0));
-    STATUS(V_ERR_RANGE, v_path_get_preset(path, 10, tcb));
-    STATUS(V_ERR_RANGE, v_path_get_preset(path, -1, tcb));
-    STATUS(V_ERR_RANGE, v_path_get_tcb(path, 2, tcb, &preset));
-    OK(v_path_get_tcb(path, 0, tcb, &preset));
+    STATUS(V_ERR_RANGE, v_path_set_numbers(path, v_path_key(2, -1, "own"), NUMBERS(0, 0, 0)));
+    STATUS(V_ERR_RANGE, v_path_set_number(path, v_path_key(0, -1, "preset"), 10));
+    STATUS(V_ERR_RANGE, v_path_set_number(path, v_path_key(0, -1, "preset"), -1));
+    STATUS(V_ERR_RANGE, v_path_set_number(path, v_path_key(2, -1, "preset"), 0));
+    STATUS(V_ERR_RANGE, v_path_set_numbers(path, "presets.10", NUMBERS(0, 0, 0)));
+    STATUS(V_ERR_RANGE, v_path_get_numbers(path, "presets.10", tcb, 3, &count));
+    STATUS(V_ERR_RANGE, v_path_get_number(path, "point.3.preset", &preset));
+    OK(v_path_get_number(path, "point.1.preset", &preset));
+    OK(v_path_get_numbers(path, "presets.9", tcb, 3, &count));
     CHECK(preset == 9 && tcb[0] == 0 && tcb[2] == 0.5);
     v_path_free(path);
 }
@@ -163,37 +169,41 @@ static void the_whole_path(void)
 {
     V_PATH *path = new_path();
     double v[4];
-    int i, closed, mode, zoom;
-    OK(v_path_set_base_frames(path, 1, 2, 3, 4e-300));
+    char text[20];
+    size_t count;
+    int i, closed;
+    OK(v_path_set_numbers(path, "base_speeds", NUMBERS(1, 2, 3, 4e-300)));
     for (i = 0; i < 4; i++) {
         static const double bad[4] = {0, -1, NAN, INFINITY};
         int k;
         for (k = 0; k < 4; k++) {
             double s[4] = {1, 1, 1, 1};
             s[i] = bad[k];
-            STATUS(V_ERR_ARGUMENT, v_path_set_base_frames(path, s[0], s[1], s[2], s[3]));
+            STATUS(V_ERR_ARGUMENT, v_path_set_numbers(path, "base_speeds", NUMBERS(s[0], s[1],
+                   s[2], s[3])));
         }
     }
-    OK(v_path_get_base_frames(path, &v[0], &v[1], &v[2], &v[3]));
+    OK(v_path_get_numbers(path, "base_speeds", v, 4, &count));
     CHECK(v[0] == 1 && v[1] == 2 && v[2] == 3 && v[3] == 4e-300);
 
-    OK(v_path_set_closed(path, -5));
-    OK(v_path_get_closed(path, &closed));
+    OK(v_path_set_flag(path, "closed", -5));
+    OK(v_path_get_flag(path, "closed", &closed));
     CHECK(closed == 1);
-    OK(v_path_set_closed(path, 0));
-    OK(v_path_get_closed(path, &closed));
+    OK(v_path_set_flag(path, "closed", 0));
+    OK(v_path_get_flag(path, "closed", &closed));
     CHECK(closed == 0);
 
-    OK(v_path_set_modes(path, V_ORIENTATION_BARRY_GOLDMAN, V_ZOOM_LINEAR));
-    STATUS(V_ERR_RANGE, v_path_set_modes(path, 3, V_ZOOM_SMOOTH));
-    STATUS(V_ERR_RANGE, v_path_set_modes(path, -1, V_ZOOM_SMOOTH));
-    STATUS(V_ERR_RANGE, v_path_set_modes(path, V_ORIENTATION_TCB, 2));
-    STATUS(V_ERR_RANGE, v_path_set_modes(path, V_ORIENTATION_TCB, -1));
-    OK(v_path_get_modes(path, &mode, &zoom));
-    CHECK(mode == V_ORIENTATION_BARRY_GOLDMAN && zoom == V_ZOOM_LINEAR);
-    OK(v_path_set_modes(path, V_ORIENTATION_SLERP, V_ZOOM_SMOOTH));
-    OK(v_path_get_modes(path, &mode, NULL));
-    CHECK(mode == V_ORIENTATION_SLERP);
+    OK(v_path_set_text(path, "orientation_mode", "barry-goldman"));
+    OK(v_path_set_text(path, "zoom_mode", "linear"));
+    STATUS(V_ERR_ARGUMENT, v_path_set_text(path, "orientation_mode", "linear"));
+    STATUS(V_ERR_ARGUMENT, v_path_set_text(path, "zoom_mode", "tcb"));
+    OK(v_path_get_text(path, "orientation_mode", text, sizeof text, &count));
+    CHECK(strcmp(text, "barry-goldman") == 0);
+    OK(v_path_get_text(path, "zoom_mode", text, sizeof text, &count));
+    CHECK(strcmp(text, "linear") == 0);
+    OK(v_path_set_text(path, "orientation_mode", ""));
+    OK(v_path_get_text(path, "orientation_mode", text, sizeof text, &count));
+    CHECK(strcmp(text, "tcb") == 0);
     v_path_free(path);
 }
 
@@ -201,7 +211,7 @@ static void a_copy_is_independent(void)
 {
     V_PATH *path = new_path(), *copy = NULL;
     double xyz[3] = {0, 0, 0};
-    OK(v_path_set_closed(path, 1));
+    OK(v_path_set_flag(path, "closed", 1));
     OK(v_path_clone(path, &copy));
     OK(v_path_set_position(path, 0, xyz));
     OK(v_path_insert_point(path, 2, xyz));

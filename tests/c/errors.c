@@ -149,7 +149,7 @@ static void numbers_count_from_0(void)
          v_path_segment_length(path, 1, &o.roll));
     SAYS(V_ERR_RANGE,
          "the first point of a range, 1 (counted from 0), must not lie behind its last one, 0",
-         v_path_fit_frames(path, 1, 0, 100));
+         tool(path, "frames", NULL, "frames=100\nfirst=2\nlast=1"));
     SAYS(V_ERR_RANGE, "there is no frame 0.5: they go from 1 to 121",
          v_path_pose(path, 0.5, poses));
     memset(poses, 0, sizeof poses);
@@ -194,23 +194,25 @@ static void what_there_is_is_told(void)
 
     v_orientation_init(&o);
     o.zoom = 0;
-    SAYS(V_ERR_RANGE, "there is no kind of curve \"bezier\"; known: tcb, centripetal, chordal, cubic, linear",
-         v_path_set_curve(path, "bezier"));
+    SAYS(V_ERR_ARGUMENT,
+         "curve: must be \"tcb\", \"centripetal\", \"chordal\", \"cubic\" or \"linear\"",
+         v_path_set_text(path, "curve", "bezier"));
     SAYS(V_ERR_ARGUMENT, "there is no up \"w\"; known: axis, point, path, minimal, frenet, y, z",
          v_path_set_up(path, 0, 0, "w", NULL, NULL));
     SAYS(V_ERR_RANGE, "up is 9; known: V_UP_Y (1), V_UP_Z (2)",
          v_path_set_space(path, values, 1, 9));
     SAYS(V_ERR_RANGE, "the deformation \"bend\" does not take 5 numbers; it takes 2, 6",
          v_path_deform(path, 0, 1, "bend", values, 5, NULL, 0));
-    CHECK(v_path_set_limit(path, "turns", 1) == V_ERR_ARGUMENT
-          && BEGINS("there is no check \"turns\"; known: space, cusp, "));
+    CHECK(v_path_set_number(path, "check.turns", 1) == V_ERR_RANGE
+          && BEGINS("there is no property \"check.turns\"; known here: space, cusp, "));
     SAYS(V_ERR_ARGUMENT,
-         "the limit of turning must be a number, or infinite where nothing is to be looked for",
-         v_path_set_limit(path, "turning", NAN));
+         "check.turning: the limit of turning must be a number, or infinite where nothing is to be looked for",
+         v_path_set_number(path, "check.turning", NAN));
     SAYS(V_ERR_RANGE, "half_size must lie between 1e-30 and 1e30",
          v_path_set_space(path, values, -1, V_UP_Y));
-    SAYS(V_ERR_RANGE, "count must lie between 1 and 100000", v_path_repeat(path, 0));
-    SAYS(V_ERR_RANGE, "fps must be greater than 0 and at most 100000", v_path_set_fps(path, 0));
+    SAYS(V_ERR_RANGE, "times must lie between 1 and 100000", v_path_tool(path, "repeat", "times=0", NULL));
+    SAYS(V_ERR_RANGE, "fps: the frames per second must be greater than 0 and at most 100000",
+         v_path_set_number(path, "fps", 0));
     SAYS(V_ERR_RANGE, "zoom must lie between 1 and 2000", v_path_set_orientation(path, 0, 0, &o));
     o.zoom = 24;
     o.speed[3] = 101;
@@ -219,8 +221,8 @@ static void what_there_is_is_told(void)
          v_orientation_from_pose(&parallel, V_UP_Y, &o));
     SAYS(V_ERR_SIZE, "poses has room for 1, but 121 are needed",
          v_path_sample(path, &pose, 1, &count));
-    SAYS(V_ERR_ARGUMENT, "zoom_frames is 0, but must be finite and greater than 0",
-         v_path_set_base_frames(path, 1, 1, 0, 1));
+    SAYS(V_ERR_ARGUMENT, "base_speeds: a base speed must be finite and greater than zero",
+         v_path_set_numbers(path, "base_speeds", NUMBERS(1, 1, 0, 1)));
 
     OK(v_scene_new(&scene));
     v_node_init(&node, V_NODE_OBJECT);

@@ -23,8 +23,8 @@ static V_PATH *some_path(void)
     o.zoom = 50.123;
     OK(v_path_insert_point(path, 1, xyz));
     OK(v_path_insert_orientation(path, 1, 1, &o));
-    OK(v_path_set_tcb(path, 2, 0.1, -0.2, 0.3));
-    OK(v_path_set_base_frames(path, 123.4, 56.7, 89, 1e3));
+    OK(v_path_set_numbers(path, v_path_key(2, -1, "own"), NUMBERS(0.1, -0.2, 0.3)));
+    OK(v_path_set_numbers(path, "base_speeds", NUMBERS(123.4, 56.7, 89, 1e3)));
     return path;
 }
 
@@ -150,8 +150,8 @@ static void counts(const char *folder)
         size_t frames = 0, poses = 0, lines = 0;
         int c;
         FILE *file;
-        OK(v_path_set_base_frames(path, 3 + 7 * kind, 20, 20, 20));
-        OK(v_path_set_closed(path, kind % 2));
+        OK(v_path_set_numbers(path, "base_speeds", NUMBERS(3 + 7 * kind, 20, 20, 20)));
+        OK(v_path_set_flag(path, "closed", kind % 2));
         OK(v_path_frame_count(path, &frames));
         STATUS(V_OK, v_path_sample(path, NULL, 0, &poses));
         first.number = -1;

@@ -78,11 +78,6 @@ static void every_function(V_PATH *bad, int status)
     REFUSED(status, v_path_remove_point(bad, 0));
     REFUSED(status, v_path_set_position(bad, 0, xyz));
     REFUSED(status, v_path_get_position(bad, 0, out[0].numbers));
-    REFUSED(status, v_path_set_tcb(bad, 0, 0, 0, 0));
-    REFUSED(status, v_path_use_preset(bad, 0, 0));
-    REFUSED(status, v_path_get_tcb(bad, 0, out[0].numbers, &out[1].number));
-    REFUSED(status, v_path_set_preset(bad, 0, 0, 0, 0));
-    REFUSED(status, v_path_get_preset(bad, 0, out[0].numbers));
     REFUSED(status, v_path_orientation_count(bad, 0, &out[0].number));
     REFUSED(status, v_path_insert_orientation(bad, 0, 0, &o));
     REFUSED(status, v_path_insert_orientation(bad, 0, 0, NULL));
@@ -91,13 +86,14 @@ static void every_function(V_PATH *bad, int status)
     REFUSED(status, v_path_get_orientation(bad, 0, 0, &result));
     CHECK(result.zoom == 77);
     REFUSED(status, v_path_set_absolute(bad, 0, 0, 1));
-    REFUSED(status, v_path_set_base_frames(bad, 1, 1, 1, 1));
-    REFUSED(status, v_path_get_base_frames(bad, &out[0].numbers[0], &out[1].numbers[0],
-                                      &out[2].numbers[0], &out[3].numbers[0]));
-    REFUSED(status, v_path_set_closed(bad, 1));
-    REFUSED(status, v_path_get_closed(bad, &out[0].number));
-    REFUSED(status, v_path_set_modes(bad, 0, 0));
-    REFUSED(status, v_path_get_modes(bad, &out[0].number, &out[1].number));
+    REFUSED(status, v_path_set_number(bad, "fps", 1));
+    REFUSED(status, v_path_get_number(bad, "fps", out[0].numbers));
+    REFUSED(status, v_path_set_numbers(bad, "base_speeds", NUMBERS(1, 1, 1, 1)));
+    REFUSED(status, v_path_get_numbers(bad, "base_speeds", out[0].numbers, 4, &out[1].size));
+    REFUSED(status, v_path_set_text(bad, "title", ""));
+    REFUSED(status, v_path_get_text(bad, "title", (char *)out[0].bytes, 9, &out[1].size));
+    REFUSED(status, v_path_set_flag(bad, "closed", 1));
+    REFUSED(status, v_path_get_flag(bad, "closed", &out[0].number));
     REFUSED(status, v_path_length(bad, out[0].numbers));
     REFUSED(status, v_path_segment_length(bad, 0, out[0].numbers));
     REFUSED(status, v_path_curve_point(bad, 0, 0.5, out[0].numbers));
@@ -130,11 +126,15 @@ static void every_null(V_PATH *path)
     REFUSED(V_ERR_NULL, v_path_insert_point(path, 0, NULL));
     REFUSED(V_ERR_NULL, v_path_set_position(path, 0, NULL));
     REFUSED(V_ERR_NULL, v_path_get_position(path, 0, NULL));
-    REFUSED(V_ERR_NULL, v_path_get_preset(path, 0, NULL));
     REFUSED(V_ERR_NULL, v_path_orientation_count(path, 0, NULL));
     REFUSED(V_ERR_NULL, v_path_set_orientation(path, 0, 0, NULL));
     REFUSED(V_ERR_NULL, v_path_get_orientation(path, 0, 0, NULL));
-    REFUSED(V_ERR_NULL, v_path_get_closed(path, NULL));
+    REFUSED(V_ERR_NULL, v_path_get_number(path, "fps", NULL));
+    REFUSED(V_ERR_NULL, v_path_get_number(path, NULL, out[0].numbers));
+    REFUSED(V_ERR_NULL, v_path_get_numbers(path, "base_speeds", NULL, 4, &out[1].size));
+    REFUSED(V_ERR_NULL, v_path_get_numbers(path, "base_speeds", out[0].numbers, 4, NULL));
+    REFUSED(V_ERR_NULL, v_path_get_text(path, "title", NULL, 4, &out[1].size));
+    REFUSED(V_ERR_NULL, v_path_get_flag(path, "closed", NULL));
     REFUSED(V_ERR_NULL, v_path_length(path, NULL));
     REFUSED(V_ERR_NULL, v_path_segment_length(path, 0, NULL));
     REFUSED(V_ERR_NULL, v_path_curve_point(path, 0, 0.5, NULL));
@@ -148,9 +148,6 @@ static void every_null(V_PATH *path)
     REFUSED(V_ERR_NULL, v_path_to_list(path, NULL));
     REFUSED(V_ERR_NULL, v_path_write_ascii(path, NULL));
     /* Results of which one may be wanted without the others. */
-    OK(v_path_get_tcb(path, 0, NULL, NULL));
-    OK(v_path_get_base_frames(path, NULL, NULL, NULL, NULL));
-    OK(v_path_get_modes(path, NULL, NULL));
     OK(v_path_section_info(path, 0, NULL, NULL, NULL, NULL));
     /* An address that no such object can have. */
     REFUSED(V_ERR_ARGUMENT,

@@ -22,7 +22,7 @@ static V_PATH *straight(double frames, double zoom)
     o.zoom = zoom;
     OK(v_path_set_orientation(path, 0, 0, &o));
     OK(v_path_set_orientation(path, 1, 0, &o));
-    OK(v_path_set_base_frames(path, frames / 1.2, 100, 100, 100));
+    OK(v_path_set_numbers(path, "base_speeds", NUMBERS(frames / 1.2, 100, 100, 100)));
     return path;
 }
 

@@ -15,7 +15,7 @@ static V_PATH *rich_path(int points, double move_frames)
     int i;
     v_orientation_init(&o);
     o.absolute = 1;
-    OK(v_path_set_base_frames(path, move_frames, 40, 40, 40));
+    OK(v_path_set_numbers(path, "base_speeds", NUMBERS(move_frames, 40, 40, 40)));
     for (i = 0; i < points; i++) {
         double xyz[3];
         xyz[0] = cos(i * 0.7);
@@ -148,7 +148,8 @@ static int ask_place(V_PATH *path)
     return v_path_point_at_length(path, 3, 0.1, xyz);
 }
 
-static int ask_section(V_PATH *path) { return v_path_section_info(path, 2, NULL, NULL, NULL, NULL); }
+static int ask_section(V_PATH *path) { return v_path_section_info(path, 2, NULL, NULL, NULL,
+                       NULL); }
 
 static int ask_pose(V_PATH *path)
 {

@@ -74,7 +74,7 @@ static void frames_and_seconds(void)
     CHECK(frame == 38.5 && seconds == 4.8);
     /* There and back no bit is lost at whole frames. */
     for (i = 0; i < sizeof fps / sizeof *fps; i++) {
-        OK(v_path_set_fps(path, fps[i]));
+        OK(v_path_set_number(path, "fps", fps[i]));
         for (n = 1; n <= 121; n++) {
             OK(v_path_seconds_at_frame(path, n, &seconds));
             OK(v_path_frame_at_seconds(path, seconds, &frame));
@@ -248,7 +248,8 @@ static void turn(double v[3], int axis, double degrees)
 static void angles_of_a_pose(void)
 {
     /* The axes in the order of the turns, and each convention's view and up. */
-    static const int orders[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
+    static const int orders[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1,
+        0}};
     static const double views[4][3] = {{0, 0, -1}, {0, 0, 1}, {1, 0, 0}, {0, 0, 1}};
     static const double ups[4][3] = {{0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 1, 0}};
     static const double vrp[3] = {3, -4, 5};
@@ -464,7 +465,7 @@ static void by_differences(void)
     OK(v_path_insert_orientation(path, 1, 1, &o));
     o.hold = 3;
     OK(v_path_set_orientation(path, 2, 0, &o));
-    OK(v_path_set_ease(path, 0, 0, V_EASE_SINE, 0.3, 0.2, 70));
+    OK(v_path_set_numbers(path, v_path_key(0, 0, "ease"), NUMBERS(V_EASE_SINE, 0.3, 0.2, 70)));
     OK(v_path_frame_count(path, &frames));
     for (frame = 1.5; frame < (double)frames; frame += 1) {
         V_MOTION motion = motion_at(path, frame);
@@ -507,7 +508,7 @@ static void motion_that_is_none(void)
     NEAR(motion.curvature, 0, 1e-12);
     NEAR(motion_at(path, 1).speed, 0.25, 1e-12);
     NEAR(motion_at(path, 121).speed, 0.25, 1e-12);
-    OK(v_path_set_fps(path, 50));
+    OK(v_path_set_number(path, "fps", 50));
     NEAR(motion_at(path, 7).speed, 0.5, 1e-12);
     motion.speed = 77;
     STATUS(V_ERR_RANGE, v_path_motion(path, 121.5, &motion));

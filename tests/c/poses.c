@@ -17,7 +17,8 @@ static V_PATH *even_path(void)
     V_PATH *path = new_path();
     V_ORIENTATION o;
     v_orientation_init(&o);
-    OK(v_path_set_modes(path, V_ORIENTATION_SLERP, V_ZOOM_LINEAR));
+    OK(v_path_set_text(path, "orientation_mode", "slerp"));
+    OK(v_path_set_text(path, "zoom_mode", "linear"));
     o.target[0] = 0.3;
     o.target[2] = 0;
     OK(v_path_insert_orientation(path, 0, 1, &o));
@@ -138,7 +139,7 @@ static void sections(void)
     STATUS(V_ERR_RANGE, v_path_section_info(path, 5, &point, NULL, &first, NULL));
     STATUS(V_ERR_RANGE, v_path_section_info(path, -1, &point, NULL, &first, NULL));
     CHECK(point == 77 && first == 77);
-    OK(v_path_set_closed(path, 1));
+    OK(v_path_set_flag(path, "closed", 1));
     OK(v_path_section_count(path, &count));
     CHECK(count == 6);
     v_path_free(path);
@@ -174,8 +175,8 @@ static void the_curve(void)
     CHECK(at[0] == 77);
     /* Full tension: straight segments, and a closed path has one more. */
     OK(v_path_insert_point(path, 2, corner));
-    OK(v_path_set_preset(path, 0, 1, 0, 0));
-    OK(v_path_set_closed(path, 1));
+    OK(v_path_set_numbers(path, "presets.0", NUMBERS(1, 0, 0)));
+    OK(v_path_set_flag(path, "closed", 1));
     OK(v_path_segment_length(path, 1, &length));
     NEAR(length, 1.2, 1e-9);
     OK(v_path_segment_length(path, 2, &length));
@@ -188,7 +189,7 @@ static void the_curve(void)
         at[1] = cos(3 * i);
         at[2] = sin(0.3 * i);
         OK(v_path_set_position(path, 1, at));
-        OK(v_path_set_preset(path, 0, sin(5 * i), cos(7 * i), sin(11 * i)));
+        OK(v_path_set_numbers(path, "presets.0", NUMBERS(sin(5 * i), cos(7 * i), sin(11 * i))));
         OK(v_path_segment_length(path, 0, &length));
         OK(v_path_point_at_length(path, 0, length, end));
         CHECK(memcmp(at, end, sizeof at) == 0);
@@ -205,13 +206,13 @@ static void too_many(void)
     size_t frames = 77;
     memset(&head, 0xa5, sizeof head);
     head.number = -1;
-    OK(v_path_set_base_frames(path, 1e12, 1, 1, 1));
+    OK(v_path_set_numbers(path, "base_speeds", NUMBERS(1e12, 1, 1, 1)));
     STATUS(V_ERR_LIMIT, v_path_frame_count(path, &frames));
     STATUS(V_ERR_LIMIT, v_path_sample(path, NULL, 0, &frames));
     STATUS(V_ERR_LIMIT, v_path_pose(path, 1, &pose));
     STATUS(V_ERR_LIMIT, v_path_to_list(path, &head));
     CHECK(frames == 77 && head.number == -1);
-    OK(v_path_set_base_frames(path, 1e-12, 1, 1, 1));
+    OK(v_path_set_numbers(path, "base_speeds", NUMBERS(1e-12, 1, 1, 1)));
     OK(v_path_frame_count(path, &frames));
     CHECK(frames == 2); /* at least one for a section that moves */
     v_path_free(path);
@@ -235,7 +236,8 @@ static int luck(void)
 static char *random_view(char *at)
 {
     int i;
-    at += sprintf(at, "[[point.orientation]]\n%s = [%.3f, %.3f, %.3f]\n", luck() ? "target" : "offset",
+    at += sprintf(at, "[[point.orientation]]\n%s = [%.3f, %.3f, %.3f]\n",
+                  luck() ? "target" : "offset",
                   drawn(2, 3), drawn(-1, 1), drawn(2, 3));
     at += sprintf(at, "roll_degrees = %.3f\nzoom_mm = %.3f\n", drawn(-180, 180),
                   exp(drawn(0, log(2000))));
@@ -243,11 +245,13 @@ static char *random_view(char *at)
     if (luck()) at += sprintf(at, "zoom_slope_mm = %.3f\n", drawn(-300, 300));
     if (luck()) at += sprintf(at, "roll_slope_degrees = %.3f\n", drawn(-9, 9));
     if (luck())
-        at += sprintf(at, "velocity_degrees = { reach = [%.3f, %.3f, 0.0], leave = [0.0, %.3f, %.3f] }\n", drawn(-9, 9),
+        at += sprintf(at,
+                      "velocity_degrees = { reach = [%.3f, %.3f, 0.0], leave = [0.0, %.3f, %.3f] }\n", drawn(-9, 9),
                       drawn(-9, 9), drawn(-9, 9), drawn(-9, 9));
     if (luck()) at += sprintf(at, "ahead = %.1f\n", luck() ? drawn(0.1, 0.5) : 0);
     if (luck()) at += sprintf(at, "up = \"minimal\"\n");
-    if (luck()) return at + sprintf(at, "ease = { kind = \"sine\", rise = 0.2, fall = 0.4, cruise = 60.0 }\n");
+    if (luck()) return at + sprintf(at,
+        "ease = { kind = \"sine\", rise = 0.2, fall = 0.4, cruise = 60.0 }\n");
     at += sprintf(at, "speed_curve = [");
     for (i = 0; i < 10; i++) at += sprintf(at, "%s%.3f", i ? ", " : "", drawn(1, 100));
     return at + sprintf(at, "]\n");
@@ -293,7 +297,8 @@ static void at_whole_frames(void)
         free(poses);
         v_path_free(path);
     }
-    printf("note: %lu poses of %d random paths, %d not bit for bit\n", (unsigned long)all, n, wrong);
+    printf("note: %lu poses of %d random paths, %d not bit for bit\n", (unsigned long)all, n,
+           wrong);
     CHECK(wrong == 0);
 }
 

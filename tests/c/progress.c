@@ -121,12 +121,12 @@ static void each_call_ends(void)
         start = now();
         tour.inside = inside;
         switch (which) {
-        case 0: status = v_path_retime(path, NULL, 0, 480, 0); break;
-        case 1: status = v_path_steady(path, 1, 0); break;
-        case 2: status = v_path_avoid(path, &object, 0.9, 0); break;
-        case 3: status = v_path_keep_in_picture(path, &object, 0.1, V_PICTURE_ZOOM); break;
-        case 4: status = v_path_keep_in_picture(path, &object, 0.1, V_PICTURE_DISTANCE); break;
-        case 5: status = v_path_keep_in_picture(path, &object, 0.1, V_PICTURE_VIEW); break;
+        case 0: status = tool(path, "retime", NULL, "seconds=0\nfirst=1\nlast=481"); break;
+        case 1: status = tool(path, "steady", NULL, "period=1\nwithin=0"); break;
+        case 2: status = tool(path, "avoid", &object, "clearance=0.9\nradius=0"); break;
+        case 3: status = tool(path, "picture", &object, "margin=0.1\nwhat=zoom"); break;
+        case 4: status = tool(path, "picture", &object, "margin=0.1\nwhat=distance"); break;
+        case 5: status = tool(path, "picture", &object, "margin=0.1\nwhat=view"); break;
         case 6: seen.path = NULL; /* it is only read */
                 status = v_path_check(path, &object, NULL, 0, &found); break;
         case 7: status = v_path_fit_poses(poses, NULL, count, 25, 1e-4, 0.1, &made); break;
@@ -173,7 +173,7 @@ static void it_is_asked_often(void)
         v_tour_init(&tour);
         tour.inside = round == 2;
         if (round == 0)
-            v_path_avoid(path, &object, 0.9, 0);
+            tool(path, "avoid", &object, "clearance=0.9\nradius=0");
         else
             v_path_tour(&object, &tour, &made, NULL);
         if (!seen.in_range || seen.longest > 0.5) {
@@ -188,7 +188,7 @@ static void it_is_asked_often(void)
     /* What was set for another thread, or not at all, is not asked. */
     OK(v_set_progress(NULL, &seen));
     begin(path, other, 0);
-    OK(v_path_retime(path, NULL, 0, 24, 0));
+    OK(tool(path, "retime", NULL, "seconds=0\nfirst=1\nlast=25"));
     CHECK(seen.calls == 0);
     v_path_free(path);
     v_path_free(other);

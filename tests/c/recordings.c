@@ -126,10 +126,10 @@ static void a_plain_hold_is_no_finding(void)
 
     OK(v_path_new(&path));
     OK(v_path_insert_point(path, 1, summit));
-    OK(v_path_set_property(path, "point.2.hold_frames", "25"));
+    OK(v_path_set_number(path, "point.2.hold", 25));
     OK(v_path_check(path, NULL, NULL, 0, &count));
     CHECK(count == 0);
-    OK(v_path_set_limit(path, "speed-jump", 0.4));
+    OK(v_path_set_number(path, "check.speed-jump", 0.4));
     OK(v_path_check(path, NULL, found, 8, &count));
     CHECK(count == 1 && strcmp(found[0].kind, "speed-jump") == 0);
     v_path_free(path);

@@ -123,7 +123,7 @@ if [ $# -eq 0 ]; then
     header "$cxx" -x c++ -std=c++20 -pedantic "$here/silent.c"
     result "header: parameters" no_parameter_is_a_function_of_libc
     result "header: includes" only_stddef
-    set -- layout errors handles editing shape orientations poses motion readable list memory threads lookup files saving faults process recordings toolbox tools scene contents exchange removal space whole progress windows
+    set -- layout errors handles editing shape orientations poses motion readable list memory threads lookup files saving faults process recordings toolbox tools scene contents exchange removal space whole properties progress windows
 fi
 # Side by side.
 for name; do

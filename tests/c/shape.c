@@ -76,19 +76,20 @@ static void tangents(void)
 static void kinds(void)
 {
     V_PATH *path = three_points();
-    const char *kind = NULL;
+    char kind[20];
+    size_t used;
     double place[3], length;
 
-    OK(v_path_get_curve(path, &kind));
+    OK(v_path_get_text(path, "curve", kind, sizeof kind, &used));
     CHECK(strcmp(kind, "tcb") == 0);
-    OK(v_path_set_curve(path, "linear"));
+    OK(v_path_set_text(path, "curve", "linear"));
     OK(v_path_curve_point(path, 0, 0.5, place));
     NEAR(place[0], -0.25, 1e-15);
     NEAR(place[1], -0.05, 1e-15);
     OK(v_path_segment_length(path, 0, &length));
     NEAR(length, sqrt(0.7 * 0.7 + 0.5 * 0.5 + 1.2 * 1.2), 1e-14);
-    OK(v_path_set_curve(path, "cubic"));
-    OK(v_path_get_curve(path, &kind));
+    OK(v_path_set_text(path, "curve", "cubic"));
+    OK(v_path_get_text(path, "curve", kind, sizeof kind, &used));
     CHECK(strcmp(kind, "cubic") == 0);
     /* Natural, three points: the tangent at the first one is 5/4 of the first
      * chord less 1/4 of the second. */
@@ -97,8 +98,8 @@ static void kinds(void)
         OK(v_path_get_tangents(path, 0, NULL, after, NULL));
         NEAR(after[0], 1.25 * 0.7 - 0.25 * 0.5, 1e-14);
     }
-    STATUS(V_ERR_RANGE, v_path_set_curve(path, "round"));
-    STATUS(V_ERR_NULL, v_path_set_curve(path, NULL));
+    STATUS(V_ERR_ARGUMENT, v_path_set_text(path, "curve", "round"));
+    STATUS(V_ERR_NULL, v_path_set_text(path, "curve", NULL));
     v_path_free(path);
 }
 
@@ -126,7 +127,7 @@ static void the_motion_is_kept(void)
     STATUS(V_ERR_RANGE, v_path_insert_on_curve(path, 1, &at));
     STATUS(V_ERR_RANGE, v_path_insert_on_curve(path, a_nan, &at));
     STATUS(V_ERR_RANGE, v_path_insert_on_curve(path, (double)count + 1, &at));
-    OK(v_path_set_modes(path, V_ORIENTATION_BARRY_GOLDMAN, V_ZOOM_SMOOTH));
+    OK(v_path_set_text(path, "orientation_mode", "barry-goldman"));
     STATUS(V_ERR_ARGUMENT, v_path_insert_on_curve(path, 5, &at));
     free(before);
     free(after);
@@ -137,9 +138,8 @@ static void easing(void)
 {
     const double pi = acos(-1);
     V_PATH *path = new_path();
-    double distance, speed, rise, fall, cruise, t;
-    int kind = -7;
-    size_t count, steady = frames_of(path);
+    double distance, speed, ease[4], t;
+    size_t numbers = 7, count, steady = frames_of(path);
     V_POSE *poses;
     const double keys[] = {0, 0, 0.25, 0.5, 1, 1};
 
@@ -155,32 +155,34 @@ static void easing(void)
     STATUS(V_ERR_RANGE, v_ease(0, 0.6, 0.1, 1.25, &distance, NULL));
     STATUS(V_ERR_ARGUMENT, v_ease(0, a_nan, 0.1, 0.25, &distance, NULL));
 
-    OK(v_path_get_ease(path, 0, 0, &kind, NULL, NULL, NULL));
-    CHECK(kind == -1);
-    OK(v_path_set_ease(path, 0, 0, V_EASE_PARABOLIC, 0.5, 0.5, 50));
-    OK(v_path_get_ease(path, 0, 0, &kind, &rise, &fall, &cruise));
-    CHECK(kind == V_EASE_PARABOLIC && rise == 0.5 && fall == 0.5 && cruise == 50);
+    OK(v_path_get_numbers(path, v_path_key(0, 0, "ease"), ease, 4, &numbers));
+    CHECK(numbers == 0);
+    OK(v_path_set_numbers(path, v_path_key(0, 0, "ease"), NUMBERS(V_EASE_PARABOLIC, 0.5, 0.5, 50)));
+    OK(v_path_get_numbers(path, v_path_key(0, 0, "ease"), ease, 4, &numbers));
+    CHECK(numbers == 4 && ease[0] == V_EASE_PARABOLIC && ease[1] == 0.5 && ease[2] == 0.5 && ease[3] == 50);
     count = frames_of(path);
     CHECK(count == 2 * (steady - 1) + 1); /* half the mean speed */
     poses = poses_of(path, count);
     NEAR(poses[(count - 1) / 4].vrp[0], -0.6 + 1.2 * 0.125, 1e-12);
     free(poses);
-    STATUS(V_ERR_RANGE, v_path_set_ease(path, 0, 0, V_EASE_SINE, 0.5, 0.5, 101));
-    STATUS(V_ERR_RANGE, v_path_set_ease(path, 0, 1, V_EASE_SINE, 0.5, 0.5, 50));
+    STATUS(V_ERR_RANGE, v_path_set_numbers(path, v_path_key(0, 0, "ease"), NUMBERS(V_EASE_SINE,
+           0.5, 0.5, 101)));
+    STATUS(V_ERR_RANGE, v_path_set_numbers(path, v_path_key(0, 1, "ease"), NUMBERS(V_EASE_SINE,
+           0.5, 0.5, 50)));
 
-    OK(v_path_set_distance(path, 0, 0, keys, 3));
-    OK(v_path_get_ease(path, 0, 0, &kind, NULL, NULL, NULL));
-    CHECK(kind == -1);
+    OK(v_path_set_numbers(path, v_path_key(0, 0, "distance"), keys, 6));
+    OK(v_path_get_numbers(path, v_path_key(0, 0, "ease"), ease, 4, &numbers));
+    CHECK(numbers == 0);
     count = frames_of(path);
     CHECK(count == steady);
     poses = poses_of(path, count);
     NEAR(poses[(count - 1) / 4].vrp[0], 0, 1e-12);
     free(poses);
-    STATUS(V_ERR_RANGE, v_path_set_distance(path, 0, 0, keys, 2));
-    STATUS(V_ERR_RANGE, v_path_set_distance(path, 0, 0, keys, 33));
-    STATUS(V_ERR_NULL, v_path_set_distance(path, 0, 0, NULL, 3));
-    OK(v_path_set_distance(path, 0, 0, NULL, 0));
-    OK(v_path_set_ease(path, 0, 0, -1, a_nan, 7, 0));
+    STATUS(V_ERR_RANGE, v_path_set_numbers(path, v_path_key(0, 0, "distance"), keys, 4));
+    STATUS(V_ERR_RANGE, v_path_set_numbers(path, v_path_key(0, 0, "distance"), keys, 66));
+    STATUS(V_ERR_NULL, v_path_set_numbers(path, v_path_key(0, 0, "distance"), NULL, 6));
+    OK(v_path_set_numbers(path, v_path_key(0, 0, "distance"), NULL, 0));
+    OK(v_path_set_numbers(path, v_path_key(0, 0, "ease"), NULL, 0));
     CHECK(frames_of(path) == steady);
     v_path_free(path);
 }
@@ -188,44 +190,46 @@ static void easing(void)
 static void fixed_frames(void)
 {
     V_PATH *path = three_points();
-    size_t frames = 7;
+    double fixed = 7;
+    size_t frames;
     int locked = 7;
 
-    OK(v_path_get_frames(path, 0, 0, &frames));
-    CHECK(frames == 0);
-    OK(v_path_set_frames(path, 0, 0, 33));
-    OK(v_path_get_frames(path, 0, 0, &frames));
-    CHECK(frames == 33);
+    OK(v_path_get_number(path, v_path_key(0, 0, "frames"), &fixed));
+    CHECK(fixed == 0);
+    OK(v_path_set_number(path, v_path_key(0, 0, "frames"), 33));
+    OK(v_path_get_number(path, v_path_key(0, 0, "frames"), &fixed));
+    CHECK(fixed == 33);
     for (frames = 3; frames < 1000; frames += 83) {
-        OK(v_path_fit_frames(path, 0, 2, frames));
+        OK(tool(path, "frames", NULL, "frames=%zu\nfirst=1\nlast=3", frames));
         CHECK(frames_of(path) == frames);
     }
-    OK(v_path_set_frames(path, 0, 0, 33));
-    OK(v_path_set_frames_locked(path, 0, 0, 1));
-    OK(v_path_get_frames_locked(path, 0, 0, &locked));
+    OK(v_path_set_number(path, v_path_key(0, 0, "frames"), 33));
+    OK(v_path_set_flag(path, v_path_key(0, 0, "locked"), 1));
+    OK(v_path_get_flag(path, v_path_key(0, 0, "locked"), &locked));
     CHECK(locked == 1);
-    OK(v_path_fit_frames(path, 0, 2, 500));
-    OK(v_path_get_frames(path, 0, 0, &frames));
-    CHECK(frames == 33 && frames_of(path) == 500);
-    STATUS(V_ERR_RANGE, v_path_set_frames_locked(path, 3, 0, 1));
-    STATUS(V_ERR_NULL, v_path_get_frames_locked(path, 0, 0, NULL));
-    OK(v_path_set_frames_locked(path, 0, 0, 0));
-    OK(v_path_set_closed(path, 1));
-    OK(v_path_fit_frames(path, 0, 2, 300));
+    OK(tool(path, "frames", NULL, "frames=500\nfirst=1\nlast=3"));
+    OK(v_path_get_number(path, v_path_key(0, 0, "frames"), &fixed));
+    CHECK(fixed == 33 && frames_of(path) == 500);
+    STATUS(V_ERR_RANGE, v_path_set_flag(path, v_path_key(3, 0, "locked"), 1));
+    STATUS(V_ERR_NULL, v_path_get_flag(path, v_path_key(0, 0, "locked"), NULL));
+    OK(v_path_set_flag(path, v_path_key(0, 0, "locked"), 0));
+    OK(v_path_set_flag(path, "closed", 1));
+    OK(tool(path, "frames", NULL, "frames=300\nfirst=1\nlast=3"));
     CHECK(frames_of(path) == 300);
-    STATUS(V_ERR_RANGE, v_path_fit_frames(path, 0, 2, 3));
+    STATUS(V_ERR_RANGE, tool(path, "frames", NULL, "frames=3\nfirst=1\nlast=3"));
     CHECK(strstr(v_last_error(), "at least 4") != NULL);
-    STATUS(V_ERR_RANGE, v_path_fit_frames(path, 0, 3, 300));
-    STATUS(V_ERR_RANGE, v_path_set_frames(path, 0, 0, (size_t)-1));
-    STATUS(V_ERR_RANGE, v_path_set_frames(path, 0, 0, 100000000));
+    STATUS(V_ERR_RANGE, tool(path, "frames", NULL, "frames=300\nfirst=1\nlast=4"));
+    STATUS(V_ERR_RANGE, v_path_set_number(path, v_path_key(0, 0, "frames"), -1));
+    STATUS(V_ERR_RANGE, v_path_set_number(path, v_path_key(0, 0, "frames"), 100000000));
     CHECK(frames_of(path) == 300);
     /* What is accepted can be counted, up to the last frame. */
-    OK(v_path_get_frames(path, 0, 0, &frames));
-    OK(v_path_set_frames(path, 0, 0, 100000000 - 300 + frames));
+    OK(v_path_get_number(path, v_path_key(0, 0, "frames"), &fixed));
+    OK(v_path_set_number(path, v_path_key(0, 0, "frames"), 100000000 - 300 + fixed));
     CHECK(frames_of(path) == 100000000);
-    STATUS(V_ERR_LIMIT, v_path_set_frames(path, 0, 0, 100000000 - 300 + frames + 1));
-    OK(v_path_get_frames(path, 1, 0, &frames));
-    STATUS(V_ERR_LIMIT, v_path_set_frames(path, 1, 0, frames + 1));
+    STATUS(V_ERR_LIMIT, v_path_set_number(path, v_path_key(0, 0, "frames"),
+           100000000 - 300 + fixed + 1));
+    OK(v_path_get_number(path, v_path_key(1, 0, "frames"), &fixed));
+    STATUS(V_ERR_LIMIT, v_path_set_number(path, v_path_key(1, 0, "frames"), fixed + 1));
     CHECK(frames_of(path) == 100000000);
     v_path_free(path);
 }
@@ -239,9 +243,9 @@ static void along_the_way(void)
     int at, k;
 
     v_orientation_init(&o);
-    OK(v_path_set_curve(path, "linear"));
+    OK(v_path_set_text(path, "curve", "linear"));
     for (at = 0; at < 3; at++)
-        OK(v_path_set_ahead(path, at, 0, 0));
+        OK(v_path_set_number(path, v_path_key(at, 0, "ahead"), 0));
     OK(v_path_pose(path, 4.5, &pose));
     OK(v_path_get_position(path, 1, to));
     OK(v_path_segment_length(path, 0, &length));
@@ -254,14 +258,24 @@ static void along_the_way(void)
     OK(v_path_set_orientation(path, 0, 0, &o));
     OK(v_path_pose(path, 1, &pose));
     NEAR(pose.vpn[0], 0.7 / length, 1e-12);
-    OK(v_path_set_ahead(path, 0, 0, -1));
+    /* No longer ahead, in the same direction. */
+    OK(v_path_set_numbers(path, v_path_key(0, 0, "offset"), pose.vpn, 3));
+    OK(v_path_get_number(path, v_path_key(0, 0, "ahead"), &length));
+    CHECK(isnan(length));
     OK(v_path_get_orientation(path, 0, 0, &o));
     CHECK(o.absolute == 0);
     for (k = 0; k < 3; k++)
-        NEAR(o.target[k], 0.4 * pose.vpn[k], 1e-12);
-    STATUS(V_ERR_ARGUMENT, v_path_set_ahead(path, 0, 0, a_nan));
-    STATUS(V_ERR_RANGE, v_path_set_ahead(path, 0, 0, 2e9));
-    STATUS(V_ERR_RANGE, v_path_set_ahead(path, 0, 1, 0));
+        CHECK(o.target[k] == pose.vpn[k]);
+    OK(v_path_pose(path, 1, &pose));
+    for (k = 0; k < 3; k++)
+        NEAR(o.target[k], pose.vpn[k], 1e-15);
+    OK(v_path_set_number(path, v_path_key(0, 0, "ahead"), 0.5));
+    OK(v_path_set_text(path, v_path_key(0, 0, "ahead"), ""));
+    OK(v_path_get_number(path, v_path_key(0, 0, "ahead"), &length));
+    CHECK(isnan(length));
+    STATUS(V_ERR_ARGUMENT, v_path_set_number(path, v_path_key(0, 0, "ahead"), a_nan));
+    STATUS(V_ERR_RANGE, v_path_set_number(path, v_path_key(0, 0, "ahead"), 2e9));
+    STATUS(V_ERR_RANGE, v_path_set_number(path, v_path_key(0, 1, "ahead"), 0));
     v_path_free(path);
 }
 
@@ -278,7 +292,7 @@ static void ups(void)
     for (at = 0; at < 3; at++) {
         v_orientation_init(&o); /* without its roll, which is added */
         OK(v_path_set_orientation(path, at, 0, &o));
-        OK(v_path_set_ahead(path, at, 0, 0));
+        OK(v_path_set_number(path, v_path_key(at, 0, "ahead"), 0));
         OK(v_path_set_up(path, at, 0, "point", above, NULL));
     }
     OK(v_path_pose(path, 7.5, &pose));
@@ -297,16 +311,16 @@ static void ups(void)
     OK(v_path_set_up(path, 2, 0, "minimal", NULL, NULL));
     STATUS(V_ERR_ARGUMENT, v_path_set_up(path, 0, 0, "frenet", NULL, NULL));
     CHECK(strstr(v_last_error(), "minimal") != NULL);
-    OK(v_path_set_curve(path, "cubic"));
+    OK(v_path_set_text(path, "curve", "cubic"));
     OK(v_path_set_up(path, 0, 0, "frenet", NULL, NULL));
-    STATUS(V_ERR_ARGUMENT, v_path_set_curve(path, "tcb"));
+    STATUS(V_ERR_ARGUMENT, v_path_set_text(path, "curve", "tcb"));
     STATUS(V_ERR_ARGUMENT, v_path_set_up(path, 0, 0, "Minimal", NULL, NULL));
     STATUS(V_ERR_NULL, v_path_set_up(path, 0, 0, NULL, NULL, NULL));
     STATUS(V_ERR_NULL, v_path_set_up(path, 0, 0, "point", NULL, NULL));
     STATUS(V_ERR_NULL, v_path_set_up(path, 0, 0, "path", NULL, NULL));
     STATUS(V_ERR_RANGE, v_path_set_up(path, 3, 0, "axis", NULL, NULL));
     OK(v_path_set_up(path, 0, 0, "axis", NULL, NULL));
-    OK(v_path_set_curve(path, "tcb"));
+    OK(v_path_set_text(path, "curve", "tcb"));
     v_path_free(path);
     v_path_free(second);
 }
@@ -344,11 +358,11 @@ static void saved(const char *folder)
     size_t count, i;
     V_POSE *a, *b;
 
-    OK(v_path_set_ease(path, 0, 0, V_EASE_SINE, 0.3, 0.2, 80));
+    OK(v_path_set_numbers(path, v_path_key(0, 0, "ease"), NUMBERS(V_EASE_SINE, 0.3, 0.2, 80)));
     OK(v_path_insert_on_curve(path, 20, NULL));
-    OK(v_path_set_distance(path, 2, 0, keys, 3));
-    OK(v_path_fit_frames(path, 0, 3, 241));
-    OK(v_path_set_ahead(path, 3, 0, 0.1));
+    OK(v_path_set_numbers(path, v_path_key(2, 0, "distance"), keys, 6));
+    OK(tool(path, "frames", NULL, "frames=241\nfirst=1\nlast=4"));
+    OK(v_path_set_number(path, v_path_key(3, 0, "ahead"), 0.1));
     OK(v_path_set_up(path, 0, 0, "path", NULL, path));
     OK(v_path_set_up(path, 1, 0, "path", NULL, path));
     OK(v_path_set_up(path, 2, 0, "minimal", NULL, NULL));

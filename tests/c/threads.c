@@ -111,8 +111,8 @@ static void *changer(void *unused)
     int round;
     (void)unused;
     for (round = 0; round < 100; round++) {
-        OK(v_path_set_closed(shared, 1));
-        OK(v_path_set_closed(shared, 0));
+        OK(v_path_set_flag(shared, "closed", 1));
+        OK(v_path_set_flag(shared, "closed", 0));
     }
     return NULL;
 }
@@ -124,9 +124,9 @@ static void changed_while_read(void)
     int i;
     shared = new_path();
     OK(v_path_insert_point(shared, 1, xyz));
-    OK(v_path_set_closed(shared, 1));
+    OK(v_path_set_flag(shared, "closed", 1));
     OK(v_path_sample(shared, closed, 400, &closed_count));
-    OK(v_path_set_closed(shared, 0));
+    OK(v_path_set_flag(shared, "closed", 0));
     OK(v_path_sample(shared, expected, 400, &expected_count));
     CHECK(closed_count > expected_count);
     for (i = 0; i < THREADS; i++)

@@ -85,19 +85,19 @@ static void blocks(void)
     OK(v_path_point_count(path, &points));
     CHECK(points == 16);
     OK(v_path_insert_path(block, 3, block, V_FIT_MOVE));
-    OK(v_path_repeat(block, 2));
+    OK(v_path_tool(block, "repeat", "times=2", NULL));
     OK(v_path_point_count(block, &points));
     CHECK(points == 13);
     OK(v_path_get_position(block, 0, one));
-    OK(v_path_reverse(block));
+    OK(v_path_tool(block, "reverse", NULL, NULL));
     OK(v_path_get_position(block, 12, two));
     CHECK(memcmp(one, two, sizeof one) == 0);
     both[0] = path;
     both[1] = block;
-    OK(v_path_set_fps(path, 24));
-    OK(v_path_set_fps(block, 30));
+    OK(v_path_set_number(path, "fps", 24));
+    OK(v_path_set_number(block, "fps", 30));
     OK(v_path_blend(both, weights, 2, &blend));
-    OK(v_path_get_fps(blend, &fps)); /* of the path that weighs most */
+    OK(v_path_get_number(blend, "fps", &fps)); /* of the path that weighs most */
     CHECK(fps == 30);
     OK(v_path_get_position(path, 0, one));
     OK(v_path_get_position(block, 0, two));
@@ -109,7 +109,7 @@ static void blocks(void)
     STATUS(V_ERR_RANGE, v_path_extract(path, 2, 2, &blend));
     STATUS(V_ERR_RANGE, v_path_insert_path(path, 0, block, 4));
     STATUS(V_ERR_RANGE, v_path_insert_path(path, 15, block, V_FIT_SCALE));
-    STATUS(V_ERR_RANGE, v_path_repeat(path, 0));
+    STATUS(V_ERR_RANGE, v_path_tool(path, "repeat", "times=0", NULL));
     v_path_free(blend);
     v_path_free(block);
     STATUS(V_ERR_HANDLE, v_path_insert_path(path, 0, block, V_FIT_NONE));
@@ -164,7 +164,8 @@ static void moves_and_fits_have_a_space(void)
     poses[77].vrp[2] += 5;
     OK(v_path_fit_poses_robust(poses, NULL, count, 25, 0.1, 0.5, &space, &left_out, &fitted));
     CHECK(left_out == 1);
-    CHECK(strstr(v_last_warning(), "Found: 1 outlier. 1 pose is left out, first poses[77].") != NULL);
+    CHECK(strstr(v_last_warning(),
+          "Found: 1 outlier. 1 pose is left out, first poses[77].") != NULL);
     OK(v_path_sample(fitted, again, 250, &count));
     CHECK(count == 250);
     for (i = 0; i < count; i++)
@@ -194,9 +195,9 @@ static void what_looks_wrong_is_found(void)
     CHECK(strcmp(findings[count - 1].kind, "turning") == 0
           || strcmp(findings[0].kind, "turning") == 0
           || strcmp(findings[count - 1].kind, "space") == 0);
-    OK(v_path_set_limit(path, "turning", 100));
-    OK(v_path_set_limit(path, "space", 10));
-    OK(v_path_get_limit(path, "turning", &limit));
+    OK(v_path_set_number(path, "check.turning", 100));
+    OK(v_path_set_number(path, "check.space", 10));
+    OK(v_path_get_number(path, "check.turning", &limit));
     CHECK(limit == 100);
     OK(v_path_check(path, NULL, NULL, 0, &count));
     CHECK(count == 0);
@@ -211,8 +212,8 @@ static void what_looks_wrong_is_found(void)
     mesh.points = 0;
     mesh.corners = 0;
     STATUS(V_ERR_ARGUMENT, v_path_check(path, &mesh, findings, 8, &count));
-    STATUS(V_ERR_ARGUMENT, v_path_set_limit(path, "tuning", 1));
-    STATUS(V_ERR_RANGE, v_path_set_limit(path, "turning", -1));
+    STATUS(V_ERR_RANGE, v_path_set_number(path, "check.tuning", 1));
+    STATUS(V_ERR_RANGE, v_path_set_number(path, "check.turning", -1));
     v_path_free(path);
 }
 
@@ -279,12 +280,12 @@ static void the_faces_of_the_own_object_are_looked_at(void)
     v_path_free(path);
     /* What is off unless a limit is set: on a circle r w^3 = 1.2 (pi / 2)^3 = 4.65. */
     path = orbit(1, 4);
-    OK(v_path_get_limit(path, "jerk", &limit));
+    OK(v_path_get_number(path, "check.jerk", &limit));
     CHECK(limit == INFINITY);
-    OK(v_path_set_limit(path, "jerk", 4));
+    OK(v_path_set_number(path, "check.jerk", 4));
     OK(v_path_check(path, NULL, own, 16, &count));
     CHECK(has(own, count, "jerk", &value) && value > 4);
-    OK(v_path_set_limit(path, "jerk", INFINITY));
+    OK(v_path_set_number(path, "check.jerk", INFINITY));
     OK(v_path_check(path, NULL, own, 16, &count));
     CHECK(!has(own, count, "jerk", &value));
     v_path_free(path);
@@ -294,37 +295,49 @@ static void the_faces_of_the_own_object_are_looked_at(void)
 static void retime(void)
 {
     V_PATH *path;
-    V_LIMITS limits;
     V_POSE pose;
-    double place[3] = {0, 0, 0};
+    double place[3] = {0, 0, 0}, seconds = 0;
     size_t frames, again;
 
-    v_limits_init(NULL);
-    CHECK(strstr(v_last_error(), "limits is NULL") != NULL);
-    v_limits_init(&limits);
-    CHECK(limits.size == sizeof limits && limits.acceleration == 10 && limits.speed == 0);
     OK(v_path_new(&path));
     OK(v_path_set_position(path, 0, place));
     place[0] = 0.9;
     OK(v_path_set_position(path, 1, place));
-    limits.speed = 0.5;
-    limits.acceleration = 1;
-    OK(v_path_retime(path, &limits, 0, 1, 0));
+    OK(v_path_set_number(path, "check.speed", 0.5));
+    OK(v_path_set_number(path, "check.acceleration", 1));
+    OK(tool(path, "retime", NULL, "seconds=0\nfirst=1\nlast=2"));
     OK(v_path_frame_count(path, &frames));
     /* 0.9 / 0.5 + 0.5 / 1 = 2.3 s = 57.5 frames. */
     CHECK(frames >= 59 && frames <= 61);
     OK(v_path_pose(path, (1 + (double)frames) / 2, &pose));
     CHECK(fabs(pose.vrp[0] - 0.45) < 0.01);
     /* Exactly so long; too short is refused, with the least time, and changes nothing. */
-    OK(v_path_retime(path, &limits, 0, 1, 4));
+    OK(tool(path, "retime", NULL, "seconds=4\nfirst=1\nlast=2"));
     OK(v_path_frame_count(path, &frames));
     CHECK(frames == 100);
-    STATUS(V_ERR_ARGUMENT, v_path_retime(path, &limits, 0, 1, 1));
+    STATUS(V_ERR_ARGUMENT, tool(path, "retime", NULL, "seconds=1\nfirst=1\nlast=2"));
     CHECK(strstr(v_last_error(), "too short") != NULL);
-    limits.turning = -1;
-    STATUS(V_ERR_RANGE, v_path_retime(path, &limits, 0, 1, 0));
-    CHECK(strstr(v_last_error(), "turning") != NULL);
-    STATUS(V_ERR_RANGE, v_path_retime(path, NULL, 0, 2, 0));
+    STATUS(V_ERR_ARGUMENT, v_last_number("seconds", &seconds)); /* it failed */
+    OK(tool(path, "retime", NULL, "seconds=4"));
+    OK(v_last_number("seconds", &seconds));
+    CHECK(seconds == 4);
+    STATUS(V_ERR_ARGUMENT, v_last_number("minutes", &seconds));
+    CHECK(strcmp(v_last_error(), "the last tool reported no number \"minutes\"") == 0);
+    STATUS(V_ERR_NULL, v_last_number(NULL, &seconds));
+    STATUS(V_ERR_NULL, v_last_number("seconds", NULL));
+    STATUS(V_ERR_ARGUMENT, v_path_tool(path, "retimes", NULL, NULL));
+    CHECK(strcmp(v_last_error(), "there is no tool \"retimes\" for a path") == 0);
+    STATUS(V_ERR_ARGUMENT, v_path_tool(path, "insert", NULL, NULL)); /* it needs another path */
+    STATUS(V_ERR_RANGE, v_path_tool(path, "retime", "duration=4", NULL));
+    CHECK(strstr(v_last_error(), "\"duration\"; known here: seconds, first, last") != NULL);
+    STATUS(V_ERR_ARGUMENT, v_path_tool(path, "retime", "seconds=long", NULL));
+    CHECK(strcmp(v_last_error(), "seconds: expected a number, found a text") == 0);
+    STATUS(V_ERR_ARGUMENT, v_path_tool(path, "move", "by=1,2", NULL));
+    CHECK(strcmp(v_last_error(), "by: expected 3 numbers, found 2") == 0);
+    STATUS(V_ERR_ARGUMENT, v_path_tool(path, "turn", "with_targets=perhaps", NULL));
+    STATUS(V_ERR_NULL, v_path_tool(path, NULL, NULL, NULL));
+    STATUS(V_ERR_NULL, v_path_tool(NULL, "reverse", NULL, NULL));
+    STATUS(V_ERR_RANGE, tool(path, "retime", NULL, "seconds=0\nfirst=1\nlast=3"));
     OK(v_path_frame_count(path, &again));
     CHECK(again == frames);
     v_path_free(path);
@@ -353,7 +366,7 @@ static void steady(void)
     }
     OK(v_path_fit_poses(poses, NULL, 200, 25, 1e-4, 0.1, &path));
     OK(v_path_clone(path, &again));
-    OK(v_path_steady(path, 1, 0));
+    OK(tool(path, "steady", NULL, "period=1\nwithin=0"));
     CHECK(strstr(v_last_warning(), "places went 0.00") != NULL);
     OK(v_path_frame_count(path, &frames));
     CHECK(frames == 200);
@@ -364,16 +377,16 @@ static void steady(void)
         larger(&rest, fabs(pose.vrp[1] - smooth));
     }
     CHECK(shake > 0.0039 && rest < 0.001);
-    OK(v_path_steady(again, 1, 0.003));
+    OK(tool(again, "steady", NULL, "period=1\nwithin=0.003"));
     for (k = 0; k < 200; k++) {
         OK(v_path_pose(again, (double)(k + 1), &was));
         larger(&far, fabs(was.vrp[1] - poses[k].vrp[1]));
     }
     CHECK(far < 0.0032);
-    STATUS(V_ERR_RANGE, v_path_steady(path, 0, 0));
-    STATUS(V_ERR_RANGE, v_path_steady(path, 80.1, 0));
+    STATUS(V_ERR_RANGE, tool(path, "steady", NULL, "period=0\nwithin=0"));
+    STATUS(V_ERR_RANGE, tool(path, "steady", NULL, "period=80.1\nwithin=0"));
     CHECK(strstr(v_last_error(), "period") != NULL);
-    STATUS(V_ERR_RANGE, v_path_steady(path, 1, -1));
+    STATUS(V_ERR_RANGE, tool(path, "steady", NULL, "period=1\nwithin=-1"));
     CHECK(strstr(v_last_error(), "within") != NULL);
     v_path_free(path);
     v_path_free(again);
@@ -393,13 +406,13 @@ static void avoid(void)
     OK(v_path_new(&path));
     OK(v_path_set_position(path, 0, ends[0]));
     OK(v_path_set_position(path, 1, ends[1]));
-    STATUS(V_ERR_ARGUMENT, v_path_avoid(path, NULL, 0.1, 0));
-    STATUS(V_ERR_ARGUMENT, v_path_avoid(path, &box, 0, 0));
-    STATUS(V_ERR_ARGUMENT, v_path_avoid(path, &box, 0.1, NAN));
-    OK(v_path_set_limit(path, "clearance", 0.12));
+    STATUS(V_ERR_ARGUMENT, tool(path, "avoid", NULL, "clearance=0.1\nradius=0"));
+    STATUS(V_ERR_RANGE, tool(path, "avoid", &box, "clearance=0\nradius=0"));
+    STATUS(V_ERR_ARGUMENT, tool(path, "avoid", &box, "clearance=0.1\nradius=%g", NAN));
+    OK(v_path_set_number(path, "check.clearance", 0.12));
     OK(v_path_check(path, &box, found, 16, &count));
     CHECK(has(found, count, "through", &value));
-    OK(v_path_avoid(path, &box, 0.1, 0.02));
+    OK(tool(path, "avoid", &box, "clearance=0.1\nradius=0.02"));
     CHECK(strstr(v_last_warning(), "put in") != NULL);
     OK(v_path_check(path, &box, found, 16, &count));
     CHECK(!has(found, count, "through", &value) && !has(found, count, "clearance", &value));
@@ -407,14 +420,15 @@ static void avoid(void)
     CHECK(points == 4);
     OK(v_path_get_position(path, points - 1, place));
     CHECK(memcmp(place, ends[1], sizeof place) == 0);
-    OK(v_path_avoid(path, &box, 0.1, 0.02));
+    OK(tool(path, "avoid", &box, "clearance=0.1\nradius=0.02"));
     CHECK(strcmp(v_last_warning(), "") == 0);
     OK(v_path_point_count(path, &again));
     CHECK(again == points);
     place[0] = place[1] = place[2] = 0;
     OK(v_path_set_position(path, points - 1, place));
-    STATUS(V_ERR_ARGUMENT, v_path_avoid(path, &box, 0.1, 0));
-    CHECK(strstr(v_last_error(), "no way round") != NULL && strstr(v_last_error(), "frame") != NULL);
+    STATUS(V_ERR_ARGUMENT, tool(path, "avoid", &box, "clearance=0.1\nradius=0"));
+    CHECK(strstr(v_last_error(), "no way round") != NULL && strstr(v_last_error(),
+          "frame") != NULL);
     v_path_free(path);
 }
 
@@ -459,6 +473,7 @@ static void picture(void)
     static const unsigned triangles[] = {0, 1, 2, 0, 2, 3};
     V_PATH *path;
     V_MESH mesh;
+    static const char *const ways[] = {"zoom", "distance", "view"};
     int what;
 
     memset(&mesh, 0, sizeof mesh);
@@ -467,12 +482,12 @@ static void picture(void)
     mesh.points = 4;
     mesh.triangles = triangles;
     mesh.corners = 6;
-    for (what = V_PICTURE_ZOOM; what <= V_PICTURE_VIEW; what++) {
+    for (what = 0; what < 3; what++) {
         double share;
 
         path = orbit(1.5, 4);
         /* Turning alone needs room: there is some with a wide angle. */
-        if (what == V_PICTURE_VIEW) {
+        if (what == 2) {
             static const double aside[3] = {0.7, 0.4, 0};
             int k, count;
 
@@ -488,22 +503,22 @@ static void picture(void)
             }
             CHECK(taken(path, xyz, 4) > 0.8);
         }
-        OK(v_path_keep_in_picture(path, &mesh, 0.1, what));
+        OK(tool(path, "picture", &mesh, "margin=0.1\nwhat=%s", ways[what]));
         share = taken(path, xyz, 4);
         CHECK(share <= 0.8 && share >= 0.99 * 0.8);
         /* As tight as that it stays to the bit. */
-        OK(v_path_keep_in_picture(path, &mesh, 0.1, what));
+        OK(tool(path, "picture", &mesh, "margin=0.1\nwhat=%s", ways[what]));
         CHECK(taken(path, xyz, 4) == share);
-        STATUS(V_ERR_ARGUMENT, v_path_keep_in_picture(path, &mesh, 0.5, what));
+        STATUS(V_ERR_RANGE, tool(path, "picture", &mesh, "margin=0.5\nwhat=%s", ways[what]));
         CHECK(strstr(v_last_error(), "margin") != NULL);
-        STATUS(V_ERR_ARGUMENT, v_path_keep_in_picture(path, &mesh, nan(""), what));
-        STATUS(V_ERR_ARGUMENT, v_path_keep_in_picture(path, NULL, 0.1, what));
+        STATUS(V_ERR_ARGUMENT, tool(path, "picture", &mesh, "margin=nan\nwhat=%s", ways[what]));
+        STATUS(V_ERR_ARGUMENT, tool(path, "picture", NULL, "margin=0.1\nwhat=%s", ways[what]));
         CHECK(taken(path, xyz, 4) == share);
         v_path_free(path);
     }
     OK(v_path_new(&path));
-    STATUS(V_ERR_RANGE, v_path_keep_in_picture(path, &mesh, 0.1, 3));
-    CHECK(strstr(v_last_error(), "V_PICTURE_VIEW") != NULL);
+    STATUS(V_ERR_ARGUMENT, v_path_tool(path, "picture", "what=sound", &mesh));
+    CHECK(strcmp(v_last_error(), "what: must be \"zoom\", \"distance\" or \"view\"") == 0);
     v_path_free(path);
 }
 
@@ -511,7 +526,8 @@ static void picture(void)
 static void tour(void)
 {
     const double xyz[] = {1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1};
-    const unsigned corners[] = {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5};
+    const unsigned corners[] = {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0,
+        3, 5};
     V_MESH object;
     V_TOUR tour;
     V_PATH *path, *other;

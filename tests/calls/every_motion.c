@@ -98,31 +98,6 @@ CALL(v_path_move_point)
     return v_path_move_point(path, from, a_point(path));
 }
 
-CALL(v_path_set_point_name)
-{
-    static const char *const names[] = {"", "gate", "\xc3\xbc", "a\nb", "\377"};
-    V_PATH *path = a_path();
-    int at = a_point(path), odd = chance(wild);
-
-    frame->unfit |= odd;
-    return v_path_set_point_name(path, at, text(names[below(odd ? 5 : 3)]));
-}
-
-CALL(v_path_get_point_name)
-{
-    const V_PATH *path = a_path();
-    int at = a_point(path);
-    char *name = result(300, 0);
-    return v_path_get_point_name(path, at, name, 300, result(sizeof(size_t), 0));
-}
-
-CALL(v_path_get_ahead)
-{
-    const V_PATH *path = a_path();
-    int point = a_point(path), at = an_orientation(path, point);
-    return v_path_get_ahead(path, point, at, result(sizeof(double), 0));
-}
-
 CALL(v_path_get_up)
 {
     const V_PATH *path = a_path();
@@ -135,14 +110,6 @@ CALL(v_path_get_up)
     if (status == V_OK && made != NULL && *made != NULL)
         frame->made_path = *made;
     return status;
-}
-
-CALL(v_path_get_distance)
-{
-    const V_PATH *path = a_path();
-    int point = a_point(path), at = an_orientation(path, point);
-    double *pairs = result(64 * sizeof *pairs, 0);
-    return v_path_get_distance(path, point, at, pairs, 32, result(sizeof(size_t), 0));
 }
 
 CALL(v_path_get_object)

@@ -167,44 +167,6 @@ CALL(v_path_get_position)
     return v_path_get_position(path, at, result(3 * sizeof(double), 0));
 }
 
-CALL(v_path_set_tcb)
-{
-    V_PATH *path = a_path();
-    int at = a_point(path);
-    double t = number(-1, 1), c = number(-1, 1);
-    return v_path_set_tcb(path, at, t, c, number(-1, 1));
-}
-
-CALL(v_path_use_preset)
-{
-    V_PATH *path = a_path();
-    int at = a_point(path);
-    return v_path_use_preset(path, at, whole(0, 9));
-}
-
-CALL(v_path_get_tcb)
-{
-    const V_PATH *path = a_path();
-    int at = a_point(path);
-    double *tcb = result(3 * sizeof *tcb, 1);
-    return v_path_get_tcb(path, at, tcb, result(sizeof(int), 1));
-}
-
-CALL(v_path_set_preset)
-{
-    V_PATH *path = a_path();
-    int preset = whole(0, 9);
-    double t = number(-1, 1), c = number(-1, 1);
-    return v_path_set_preset(path, preset, t, c, number(-1, 1));
-}
-
-CALL(v_path_get_preset)
-{
-    const V_PATH *path = a_path();
-    int preset = whole(0, 9);
-    return v_path_get_preset(path, preset, result(3 * sizeof(double), 0));
-}
-
 CALL(v_orientation_init)
 {
     v_orientation_init(result(sizeof(V_ORIENTATION), 0));
@@ -257,47 +219,6 @@ CALL(v_path_set_absolute)
     V_PATH *path = a_path();
     int point = a_point(path), at = an_orientation(path, point);
     return v_path_set_absolute(path, point, at, whole(0, 1));
-}
-
-CALL(v_path_set_base_frames)
-{
-    V_PATH *path = a_path();
-    double move = number(1, 50), orient = number(1, 50), zoom = number(1, 50);
-    return v_path_set_base_frames(path, move, orient, zoom, number(1, 50));
-}
-
-CALL(v_path_get_base_frames)
-{
-    const V_PATH *path = a_path();
-    double *move = result(sizeof *move, 1), *orient = result(sizeof *orient, 1);
-    double *zoom = result(sizeof *zoom, 1);
-    return v_path_get_base_frames(path, move, orient, zoom, result(sizeof(double), 1));
-}
-
-CALL(v_path_set_closed)
-{
-    V_PATH *path = a_path();
-    return v_path_set_closed(path, whole(0, 1));
-}
-
-CALL(v_path_get_closed)
-{
-    const V_PATH *path = a_path();
-    return v_path_get_closed(path, result(sizeof(int), 0));
-}
-
-CALL(v_path_set_modes)
-{
-    V_PATH *path = a_path();
-    int mode = whole(V_ORIENTATION_TCB, V_ORIENTATION_SLERP);
-    return v_path_set_modes(path, mode, whole(V_ZOOM_SMOOTH, V_ZOOM_LINEAR));
-}
-
-CALL(v_path_get_modes)
-{
-    const V_PATH *path = a_path();
-    int *mode = result(sizeof *mode, 1);
-    return v_path_get_modes(path, mode, result(sizeof(int), 1));
 }
 
 CALL(v_path_length)
@@ -436,56 +357,10 @@ CALL(v_path_save_to_memory)
     return text_of(v_path_save_to_memory, a_path(), 100 * POSES);
 }
 
-CALL(v_path_set_title)
-{
-    V_PATH *path = a_path();
-    return v_path_set_title(path, text("A flight"));
-}
-
-CALL(v_path_get_title)
-{
-    return text_of(v_path_get_title, a_path(), 2000);
-}
-
-CALL(v_path_set_comment)
-{
-    V_PATH *path = a_path();
-    return v_path_set_comment(path, text("In\ntwo lines"));
-}
-
-CALL(v_path_get_comment)
-{
-    return text_of(v_path_get_comment, a_path(), 2000);
-}
-
 CALL(v_path_set_object)
 {
     V_PATH *path = a_path();
     return v_path_set_object(path, a_mesh());
-}
-
-CALL(v_path_set_fps)
-{
-    V_PATH *path = a_path();
-    return v_path_set_fps(path, number(1, 60));
-}
-
-CALL(v_path_get_fps)
-{
-    const V_PATH *path = a_path();
-    return v_path_get_fps(path, result(sizeof(double), 0));
-}
-
-CALL(v_path_set_first_frame)
-{
-    V_PATH *path = a_path();
-    return v_path_set_first_frame(path, whole(-100, 100));
-}
-
-CALL(v_path_get_first_frame)
-{
-    const V_PATH *path = a_path();
-    return v_path_get_first_frame(path, result(sizeof(int), 0));
 }
 
 /* ---- Toolbox --------------------------------------------------------------------------- */
@@ -596,23 +471,6 @@ CALL(v_zoom_from_fov)
 
 /* ---- Space ---------------------------------------------------------------------------- */
 
-CALL(v_path_set_property)
-{
-    V_PATH *path = a_path();
-    const char *name = text("point.2.view.1.zoom");
-    return v_path_set_property(path, name, text("30"));
-}
-
-static int property_of(const V_PATH *path, char *value, size_t capacity, size_t *length)
-{
-    return v_path_get_property(path, text("fps"), value, capacity, length);
-}
-
-CALL(v_path_get_property)
-{
-    return text_of(property_of, a_path(), 100);
-}
-
 CALL(v_path_set_space)
 {
     V_PATH *path = a_path();
@@ -689,25 +547,6 @@ CALL(v_orientation_from_pose)
 
 /* ---- Shape and pace ------------------------------------------------------------------- */
 
-CALL(v_path_set_curve)
-{
-    static const char *const kinds[] = {"tcb", "centripetal", "chordal", "cubic", "linear"};
-    V_PATH *path = a_path();
-    const char *kind = kinds[below(5)];
-
-    if (chance(wild)) {
-        frame->unfit = 1;
-        kind = chance(50) ? NULL : "";
-    }
-    return v_path_set_curve(path, text(kind));
-}
-
-CALL(v_path_get_curve)
-{
-    const V_PATH *path = a_path();
-    return v_path_get_curve(path, result(sizeof(const char *), 0));
-}
-
 CALL(v_path_set_tangents)
 {
     V_PATH *path = a_path();
@@ -749,124 +588,6 @@ CALL(v_ease)
     return v_ease(kind, rise, fall, t, distance, result(sizeof(double), 1));
 }
 
-CALL(v_path_set_ease)
-{
-    V_PATH *path = a_path();
-    int point = a_point(path), at = an_orientation(path, point), kind = whole(-1, 1);
-    double rise = number(0, 0.5), fall = number(0, 0.5);
-    return v_path_set_ease(path, point, at, kind, rise, fall, number(1, 100));
-}
-
-CALL(v_path_get_ease)
-{
-    const V_PATH *path = a_path();
-    int point = a_point(path), at = an_orientation(path, point);
-    int *kind = result(sizeof *kind, 1);
-    double *rise = result(sizeof *rise, 1), *fall = result(sizeof *fall, 1);
-    return v_path_get_ease(path, point, at, kind, rise, fall, result(sizeof(double), 1));
-}
-
-CALL(v_path_set_distance)
-{
-    V_PATH *path = a_path();
-    int point = a_point(path), at = an_orientation(path, point);
-    double keys[6] = {0, 0, 0, 0, 1, 1};
-
-    keys[2] = number(0.1, 0.9);
-    keys[3] = number(0.1, 0.9);
-    return v_path_set_distance(path, point, at, given("double[6]", keys, sizeof keys), 3);
-}
-
-CALL(v_path_set_frames)
-{
-    V_PATH *path = a_path();
-    int point = a_point(path), at = an_orientation(path, point);
-    return v_path_set_frames(path, point, at, below(40));
-}
-
-CALL(v_path_get_frames)
-{
-    const V_PATH *path = a_path();
-    int point = a_point(path), at = an_orientation(path, point);
-    return v_path_get_frames(path, point, at, result(sizeof(size_t), 0));
-}
-
-CALL(v_path_set_frames_locked)
-{
-    V_PATH *path = a_path();
-    int point = a_point(path), at = an_orientation(path, point);
-    return v_path_set_frames_locked(path, point, at, below(2));
-}
-
-CALL(v_path_get_frames_locked)
-{
-    const V_PATH *path = a_path();
-    int point = a_point(path), at = an_orientation(path, point);
-    return v_path_get_frames_locked(path, point, at, result(sizeof(int), 0));
-}
-
-CALL(v_path_fit_frames)
-{
-    V_PATH *path = a_path();
-    int point = a_point(path);
-    return v_path_fit_frames(path, point, point, 100000 + below(1000));
-}
-
-static const V_LIMITS *some_limits(void)
-{
-    V_LIMITS limits;
-
-    v_limits_init(&limits);
-    if (chance(wild)) {
-        frame->unfit = 1;
-        limits.size = below(100);
-    }
-    limits.speed = number(0.5, 2);
-    limits.turning = number(30, 90);
-    return chance(20) ? NULL : given("V_LIMITS", &limits, sizeof limits);
-}
-
-CALL(v_limits_init)
-{
-    (v_limits_init)(result(sizeof(V_LIMITS), 0));
-    return 0;
-}
-
-CALL(v_limits_init_sized)
-{
-    v_limits_init(result(sizeof(V_LIMITS), 0));
-    return 0;
-}
-
-CALL(v_path_retime)
-{
-    const V_LIMITS *limits = some_limits();
-    V_PATH *path = a_path();
-    int point = a_point(path);
-    return v_path_retime(path, limits, point, point, 0);
-}
-
-CALL(v_path_steady)
-{
-    V_PATH *path = a_path();
-    double seconds = number(0, 4), within = number(0, 1);
-    return v_path_steady(path, seconds, within);
-}
-
-CALL(v_path_avoid)
-{
-    const V_MESH *mesh = chance(50) ? NULL : a_mesh();
-    return v_path_avoid(a_path(), mesh, number(0.01, 0.2), number(0, 0.1));
-}
-
-CALL(v_path_keep_in_picture)
-{
-    V_PATH *path = a_path();
-    const V_MESH *object = a_mesh();
-    return v_path_keep_in_picture(path, object, number(0, 0.45),
-                                  whole(V_PICTURE_ZOOM, V_PICTURE_VIEW));
-}
-
 CALL(v_tour_init)
 {
     (v_tour_init)(result(sizeof(V_TOUR), 0));
@@ -903,13 +624,6 @@ CALL(v_path_tour)
     return v_path_tour(mesh,
                        chance(20) ? NULL : given("V_TOUR", &tour, sizeof tour),
                        result(sizeof(V_PATH *), 0), result(sizeof(double), 1));
-}
-
-CALL(v_path_set_ahead)
-{
-    V_PATH *path = a_path();
-    int point = a_point(path), at = an_orientation(path, point);
-    return v_path_set_ahead(path, point, at, number(-0.5, 0.5));
 }
 
 CALL(v_path_set_up)

@@ -52,6 +52,20 @@ static int a_range(const V_PATH *path, int *last)
     return first;
 }
 
+CALL(v_path_tool)
+{
+    static const char *const names[] = {"reverse", "repeat", "move", "turn"};
+    V_PATH *path = a_path();
+    const char *name = one_of(names, 4);
+
+    return v_path_tool(path, name, below(2) ? NULL : text(""), NULL);
+}
+
+CALL(v_last_number)
+{
+    return v_last_number(text("seconds"), result(sizeof(double), 0));
+}
+
 CALL(v_path_transform)
 {
     V_PATH *path = a_path();
@@ -74,7 +88,8 @@ CALL(v_path_deform)
     const double box[6] = {-2, -2, -2, 2, 2, 2};
 
     parameters[1] = number(0.1, 2);
-    return v_path_deform(path, first, last, kind, given("parameters", parameters, sizeof parameters),
+    return v_path_deform(path, first, last, kind, given("parameters", parameters,
+        sizeof parameters),
                          2, below(2) ? NULL : given("box", box, sizeof box), whole(0, 1));
 }
 
@@ -94,17 +109,6 @@ CALL(v_path_insert_path)
     const V_PATH *block = a_path();
 
     return v_path_insert_path(path, at, block, whole(V_FIT_NONE, V_FIT_SCALE));
-}
-
-CALL(v_path_reverse)
-{
-    return v_path_reverse(a_path());
-}
-
-CALL(v_path_repeat)
-{
-    V_PATH *path = a_path();
-    return v_path_repeat(path, whole(1, 2));
 }
 
 CALL(v_path_blend)
@@ -185,22 +189,3 @@ CALL(v_path_check)
     return v_path_check(path, NULL, NULL, 0, result(sizeof(size_t), 0));
 }
 
-static const char *a_kind_of_finding(void)
-{
-    static const char *const kinds[] = {"turning", "pole", "clearance", "zoom"};
-    return one_of(kinds, 4);
-}
-
-CALL(v_path_set_limit)
-{
-    V_PATH *path = a_path();
-    const char *kind = a_kind_of_finding();
-    return v_path_set_limit(path, kind, number(0, 3));
-}
-
-CALL(v_path_get_limit)
-{
-    const V_PATH *path = a_path();
-    const char *kind = a_kind_of_finding();
-    return v_path_get_limit(path, kind, result(sizeof(double), 0));
-}

@@ -36,13 +36,6 @@
     F(v_path_set_position, STATUS, V_OK, 0) \
     F(v_path_get_position, STATUS, V_OK, 0) \
     F(v_path_move_point, STATUS, V_OK, 0) \
-    F(v_path_set_point_name, STATUS, V_OK, 0) \
-    F(v_path_get_point_name, STATUS, V_OK, 0) \
-    F(v_path_set_tcb, STATUS, V_OK, 0) \
-    F(v_path_use_preset, STATUS, V_OK, 0) \
-    F(v_path_get_tcb, STATUS, V_OK, 0) \
-    F(v_path_set_preset, STATUS, V_OK, 0) \
-    F(v_path_get_preset, STATUS, V_OK, 0) \
     F(v_orientation_init, NOTHING, V_OK, 0) \
     F(v_path_orientation_count, STATUS, V_OK, 0) \
     F(v_path_insert_orientation, STATUS, V_OK, 0) \
@@ -50,22 +43,17 @@
     F(v_path_set_orientation, STATUS, V_OK, 0) \
     F(v_path_get_orientation, STATUS, V_OK, 0) \
     F(v_path_set_absolute, STATUS, V_OK, 0) \
-    F(v_path_set_base_frames, STATUS, V_OK, 0) \
-    F(v_path_get_base_frames, STATUS, V_OK, 0) \
-    F(v_path_set_closed, STATUS, V_OK, 0) \
-    F(v_path_get_closed, STATUS, V_OK, 0) \
-    F(v_path_set_modes, STATUS, V_OK, 0) \
-    F(v_path_get_modes, STATUS, V_OK, 0) \
-    F(v_path_set_title, STATUS, V_OK, 0) \
-    F(v_path_get_title, STATUS, V_OK, 0) \
-    F(v_path_set_comment, STATUS, V_OK, 0) \
-    F(v_path_get_comment, STATUS, V_OK, 0) \
-    F(v_path_set_fps, STATUS, V_OK, 0) \
-    F(v_path_get_fps, STATUS, V_OK, 0) \
-    F(v_path_set_first_frame, STATUS, V_OK, 0) \
-    F(v_path_get_first_frame, STATUS, V_OK, 0) \
-    F(v_path_set_property, STATUS, V_OK, 0) \
-    F(v_path_get_property, STATUS, V_OK, 0) \
+    F(v_property, STATUS, V_OK, 0) \
+    F(v_property_count, STATUS, V_OK, 0) \
+    F(v_path_key, NOTHING, V_OK, 0) \
+    F(v_path_set_number, STATUS, V_OK, 0) \
+    F(v_path_get_number, STATUS, V_OK, 0) \
+    F(v_path_set_numbers, STATUS, V_OK, 0) \
+    F(v_path_get_numbers, STATUS, V_OK, 0) \
+    F(v_path_set_text, STATUS, V_OK, 0) \
+    F(v_path_get_text, STATUS, V_OK, 0) \
+    F(v_path_set_flag, STATUS, V_OK, 0) \
+    F(v_path_get_flag, STATUS, V_OK, 0) \
     F(v_path_set_space, STATUS, V_OK, 0) \
     F(v_path_get_space, STATUS, V_OK, 0) \
     F(v_space_init, NOTHING, V_OK, 0) \
@@ -75,50 +63,29 @@
     F(v_orientation_from_pose, STATUS, V_OK, 0) \
     F(v_path_set_object, STATUS, V_OK, 0) \
     F(v_path_get_object, STATUS, V_OK, 0) \
-    F(v_path_set_curve, STATUS, V_OK, 0) \
-    F(v_path_get_curve, STATUS, V_OK, 0) \
     F(v_path_set_tangents, STATUS, V_OK, 0) \
     F(v_path_get_tangents, STATUS, V_OK, 0) \
     F(v_path_insert_on_curve, STATUS, -2, 0) \
     F(v_ease, STATUS, V_OK, 0) \
-    F(v_path_set_ease, STATUS, V_OK, 0) \
-    F(v_path_get_ease, STATUS, V_OK, 0) \
-    F(v_path_set_distance, STATUS, V_OK, 0) \
-    F(v_path_get_distance, STATUS, V_OK, 0) \
-    F(v_path_set_frames, STATUS, V_OK, 0) \
-    F(v_path_get_frames, STATUS, V_OK, 0) \
-    F(v_path_set_frames_locked, STATUS, V_OK, 0) \
-    F(v_path_get_frames_locked, STATUS, V_OK, 0) \
-    F(v_path_fit_frames, STATUS, -2, 0) \
-    F(v_limits_init, NOTHING, V_OK, 0) \
-    F(v_limits_init_sized, NOTHING, V_OK, 0) \
-    F(v_path_retime, STATUS, -2, 0) \
-    F(v_path_steady, STATUS, -2, 0) \
-    F(v_path_avoid, STATUS, -2, 0) \
-    F(v_path_keep_in_picture, STATUS, -2, 0) \
     F(v_tour_init, NOTHING, V_OK, 0) \
     F(v_tour_init_sized, NOTHING, V_OK, 0) \
     F(v_path_tour, STATUS, -2, 0) \
-    F(v_path_set_ahead, STATUS, V_OK, 0) \
-    F(v_path_get_ahead, STATUS, V_OK, 0) \
     F(v_path_set_up, STATUS, V_OK, 0) \
     F(v_path_get_up, STATUS, V_OK, 0) \
     F(v_path_from_move, STATUS, V_OK, 0) \
     F(v_path_from_move_in_space, STATUS, V_OK, 0) \
+    F(v_path_tool, STATUS, V_OK, 0) \
+    F(v_last_number, STATUS, -2, 0) \
     F(v_path_transform, STATUS, -2, 0) \
     F(v_path_deform, STATUS, -2, 0) \
     F(v_path_extract, STATUS, V_OK, 0) \
     F(v_path_insert_path, STATUS, -2, 0) \
-    F(v_path_reverse, STATUS, V_OK, 0) \
-    F(v_path_repeat, STATUS, V_OK, 0) \
     F(v_path_blend, STATUS, -2, 0) \
     F(v_set_progress, STATUS, V_OK, 0) \
     F(v_path_fit_poses, STATUS, V_OK, 0) \
     F(v_path_fit_poses_in_space, STATUS, V_OK, 0) \
     F(v_path_fit_poses_robust, STATUS, V_OK, 0) \
     F(v_path_check, STATUS, V_OK, 0) \
-    F(v_path_set_limit, STATUS, V_OK, 0) \
-    F(v_path_get_limit, STATUS, V_OK, 0) \
     F(v_path_length, STATUS, V_OK, 0) \
     F(v_path_segment_length, STATUS, V_OK, 0) \
     F(v_path_curve_point, STATUS, V_OK, 0) \
@@ -158,16 +125,15 @@
     F(v_scene_pin, STATUS, V_OK, 0) \
     F(v_scene_set_space, STATUS, V_OK, 0) \
     F(v_scene_get_space, STATUS, V_OK, 0) \
-    F(v_scene_set_title, STATUS, V_OK, 0) \
-    F(v_scene_get_title, STATUS, V_OK, 0) \
-    F(v_scene_set_comment, STATUS, V_OK, 0) \
-    F(v_scene_get_comment, STATUS, V_OK, 0) \
-    F(v_scene_set_fps, STATUS, V_OK, 0) \
-    F(v_scene_get_fps, STATUS, V_OK, 0) \
-    F(v_scene_set_first_frame, STATUS, V_OK, 0) \
-    F(v_scene_get_first_frame, STATUS, V_OK, 0) \
-    F(v_scene_set_limit, STATUS, V_OK, 0) \
-    F(v_scene_get_limit, STATUS, V_OK, 0) \
+    F(v_scene_key, NOTHING, V_OK, 0) \
+    F(v_scene_set_number, STATUS, V_OK, 0) \
+    F(v_scene_get_number, STATUS, V_OK, 0) \
+    F(v_scene_set_numbers, STATUS, V_OK, 0) \
+    F(v_scene_get_numbers, STATUS, V_OK, 0) \
+    F(v_scene_set_text, STATUS, V_OK, 0) \
+    F(v_scene_get_text, STATUS, V_OK, 0) \
+    F(v_scene_set_flag, STATUS, V_OK, 0) \
+    F(v_scene_get_flag, STATUS, V_OK, 0) \
     F(v_scene_set_camera, STATUS, V_OK, 0) \
     F(v_scene_get_camera, STATUS, V_OK, 0) \
     F(v_scene_set_range, STATUS, V_OK, 0) \

@@ -103,7 +103,7 @@ def a_scene():
 
 def with_size(kind):
     init = {"V_ORIENTATION": "v_orientation_init", "V_EDITOR_OPTIONS": "v_editor_options_init",
-            "V_SPACE": "v_space_init", "V_LIMITS": "v_limits_init",
+            "V_SPACE": "v_space_init",
             "V_TOUR": "v_tour_init"}
     if kind == "V_MESH":
         return a_mesh()
@@ -114,13 +114,15 @@ def with_size(kind):
     if kind == "V_VIEW":
         numbers = [0, 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 2, -1, 1, -1, 1, 1, -1, 0]
         return block(struct.pack("Q19dii", 168, *numbers, 0, 0))
+    if kind == "V_PROPERTY":
+        return block(struct.pack("Q8Q", 72, *[0] * 8))
     room = block(b"", 2000)
     getattr(vides, init[kind])(ctypes.c_void_p(room))
     return room
 
 
 SIZED = ("V_ORIENTATION", "V_MESH", "V_NODE", "V_VIEW", "V_SPACE", "V_MOTION", "V_EDITOR_OPTIONS",
-         "V_LIMITS", "V_TOUR")
+         "V_TOUR", "V_PROPERTY")
 window = []
 
 
@@ -161,21 +163,29 @@ INTS = {"last_point": 1, "up": 1, "count": 2, "points": 1, "node": 1, ("v_path_e
         ("v_scene_get_start", "node"): 0}
 SIZES = {"capacity": 50000, "count": 2, "keys": 2, "points": 4, "size": len(VID), "first": 1,
          "frames": 500, ("v_path_fit_poses", "count"): 12,
+         ("v_path_set_numbers", "count"): 6, ("v_scene_set_numbers", "count"): 3,
          ("v_path_fit_poses_in_space", "count"): 12, ("v_path_fit_poses_robust", "count"): 12,
-         ("v_space_init_sized", "size"): 48, ("v_limits_init_sized", "size"): 64,
+         ("v_space_init_sized", "size"): 48, 
          ("v_tour_init_sized", "size"): 72,
          ("v_editor_options_init_sized", "size"): 1000}
-DOUBLES = {"fps": 25.0, "frame": 2.5, "back": 10.0, "rise": 0.2, "fall": 0.2, "cruise": 50.0, "s": 0.1,
-           "tolerance": 0.01, "half_size": 1.0, "far_plane": 10.0, "move_frames": 20.0}
-TEXTS = {"format": "csv", "options": "as=keys", ("v_scene_import", "file"): folder + "/a.csv", ("v_scene_export", "file"): folder + "/written.csv", "channel": "position", "interpolation": "hermite", "kind": "twist", "move": "orbit", "up": "point",
+DOUBLES = {"fps": 25.0, "value": 25.0, "frame": 2.5, "back": 10.0, "rise": 0.2, "fall": 0.2, "s": 0.1,
+           "tolerance": 0.01, "half_size": 1.0, "far_plane": 10.0}
+TEXTS = {"format": "csv", "options": "as=keys", ("v_scene_import", "file"): folder + "/a.csv", ("v_scene_export", "file"): folder + "/written.csv", "channel": "position", "interpolation": "hermite", "kind": "twist", "move": "orbit", "tool": "repeat", ("v_path_tool", "options"): "times=2", ("v_last_number", "name"): "seconds", "up": "point",
          "marker": "meet", "text": VID, "name": "wheel", ("v_scene_find_node", "name"): "sheet",
-         ("v_path_set_curve", "kind"): "cubic", ("v_path_set_limit", "kind"): "turning",
-         ("v_path_get_limit", "kind"): "turning", ("v_scene_set_limit", "kind"): "turning",
-         ("v_scene_get_limit", "kind"): "turning", ("v_scene_remove_marker", "name"): "meet", "file": folder + "/written",
+         ("v_scene_remove_marker", "name"): "meet", "file": folder + "/written",
+         **{("v_%s_%s_%s" % key, "name"): name for key, name in {
+             ("path", "set", "number"): "fps", ("path", "get", "number"): "fps",
+             ("path", "set", "numbers"): "point.2.tangents", ("path", "get", "numbers"): "base_speeds",
+             ("path", "set", "text"): "title", ("path", "get", "text"): "title",
+             ("path", "set", "flag"): "closed", ("path", "get", "flag"): "closed",
+             ("scene", "set", "number"): "fps", ("scene", "get", "number"): "fps",
+             ("scene", "set", "numbers"): "node.2.position", ("scene", "get", "numbers"): "node.2.position",
+             ("scene", "set", "text"): "title", ("scene", "get", "text"): "title",
+             ("scene", "set", "flag"): "node.2.visible", ("scene", "get", "flag"): "node.2.visible"}.items()},
          ("v_path_load", "file"): folder + "/a.vid", ("v_scene_load", "file"): folder + "/a.vid",
          ("v_scene_load_geometry", "file"): folder + "/a.obj"}
 ARRAYS = {"keys": [1, 0, 0, 0, 0, 1, 0, 0], "key_times": [0, 1], "tcb": [0] * 6, "weights": [0.5, 0.5],
-          "time_way": [0, 0, 1, 1], "matrix": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0.1, 0, 0, 1],
+          "matrix": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0.1, 0, 0, 1],
           "box": [-2, -2, -2, 2, 2, 2], "speed": [50] * 10, "before": [50] * 3, "after": [50] * 3,
           "vpn": [0, 0, 1], "vup": [0, 1, 0], "parameters": [0, 30], "up_point": [2, 3, 2],
           "frames": [1, 11], "m": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0.1, 0, 0, 1], ("v_path_from_move", "parameters"): [0.1] * 3}
@@ -183,7 +193,7 @@ ARRAYS = {"keys": [1, 0, 0, 0, 0, 1, 0, 0], "key_times": [0, 1], "tcb": [0] * 6,
 # Numbers of things, and those that choose one of a few.
 NUMBERS = ("at", "point", "node", "segment", "section", "orientation", "first_point", "last_point", "preset",
            "from", "to", "parent")
-CHOICES = ("up", "kind", "fit", "after", "orientation_mode", "zoom_mode", "convention", "order", "keep")
+CHOICES = ("up", "kind", "fit", "after", "convention", "order", "keep")
 
 
 def parameters(text):

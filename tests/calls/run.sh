@@ -37,7 +37,7 @@ build() {
     local output=$1 library=$2 source=$3
     shift 3
     "$cc" -std=gnu99 -g -O1 -Wall -Wextra -Werror "$@" -I"$work" -I"$root/include" -o "$output" \
-        "$here"/{draw,things,every,every_path,every_tools,every_motion,every_scene,every_contents,hands,served}.c "$here/$source.c" "$library" \
+        "$here"/{draw,things,every,every_path,every_property,every_tools,every_motion,every_scene,every_contents,hands,served}.c "$here/$source.c" "$library" \
         ${LDFLAGS:-} -lm -lpthread -lX11
 }
 

@@ -204,7 +204,8 @@ static V_PATH *rich_path(void)
     V_PATH *path;
     int i;
 
-    if (v_path_new(&path) != V_OK || v_path_set_base_frames(path, 20, 15, 15, 15) != V_OK) {
+    if (v_path_new(&path) != V_OK || v_path_set_numbers(path, "base_speeds", (const double[]){20,
+        15, 15, 15}, 4) != V_OK) {
         fault("v_path_new: %s", v_last_error());
         exit(2);
     }

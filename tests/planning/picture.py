@@ -43,8 +43,8 @@ class Mesh(ctypes.Structure):
 
 
 library.v_last_error.restype = ctypes.c_char_p
-library.v_path_keep_in_picture.argtypes = [
-    ctypes.c_void_p, ctypes.c_void_p, ctypes.c_double, ctypes.c_int,
+library.v_path_tool.argtypes = [
+    ctypes.c_void_p, ctypes.c_char_p, ctypes.c_char_p, ctypes.c_void_p,
 ]
 library.v_path_poses_at.argtypes = [
     ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p,
@@ -157,7 +157,8 @@ def main():
             before = number("v_path_point_count", path) & 0xFFFFFFFF
             mesh = Mesh(ctypes.sizeof(Mesh), points.ctypes.data, len(points), None, None, 0, cells.ctypes.data, cells.size)
             start = time.perf_counter()
-            wrong = said(library.v_path_keep_in_picture(path, ctypes.byref(mesh), margin, kind))
+            how = f"margin={margin!r}\nwhat={WAYS[kind]}".encode()
+            wrong = said(library.v_path_tool(path, b"picture", how, ctypes.byref(mesh)))
             seconds += time.perf_counter() - start
             if wrong:
                 refused.append(f"{name} {k}: {wrong}")

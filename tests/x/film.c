@@ -75,12 +75,12 @@ static void other_path(void)
     int frames, point = -1, orientation = -1;
 
     ok(v_path_new(&path), "path");
-    ok(v_path_fit_frames(path, 0, 1, 200), "fit_frames");
+    ok(v_path_tool(path, "frames", "frames=200", NULL), "frames");
     ok(v_editor_open(NULL, &editor), "open");
     ok(v_editor_set_path(editor, path), "set_path");
     ok(v_editor_set_frame(editor, 150), "set_frame");
     for (frames = 180; frames >= 100; frames -= 80) {
-        ok(v_path_fit_frames(path, 0, 1, (size_t)frames), "fit_frames");
+        ok(v_path_tool(path, "frames", frames == 180 ? "frames=180" : "frames=100", NULL), "frames");
         ok(v_editor_set_path(editor, path), "set_path");
         serve(50);
         ok(v_editor_get_frame(editor, &frame), "get_frame");
@@ -105,9 +105,10 @@ static V_SCENE *cameras(void)
     v_node_init(&node, V_NODE_CAMERA);
     for (k = 1; k < 3; k++)
         ok(v_scene_add_node(scene, names[k], &node, NULL), names[k]);
-    ok(v_scene_set_track(scene, 1, "position", "linear", frames, values, NULL, 2, V_AFTER_HOLD), "keys");
+    ok(v_scene_set_track(scene, 1, "position", "linear", frames, values, NULL, 2, V_AFTER_HOLD),
+        "keys");
     ok(v_scene_set_path(scene, 2, path, 21, V_AFTER_PINGPONG), "path of the third");
-    ok(v_scene_set_first_frame(scene, 101), "first frame");
+    ok(v_scene_set_number(scene, "first_frame", 101), "first frame");
     v_path_free(path);
     return scene;
 }

@@ -113,7 +113,11 @@ impl Error {
             Self::Refused(refused) => refused.kind(),
             Self::Io { .. } => ErrorKind::Io,
             Self::Format { .. } => ErrorKind::Format,
-            Self::Property { .. } => ErrorKind::Argument,
+            Self::Property { cause, .. } => match cause {
+                Malformed::Engine(error) => error.kind(),
+                Malformed::Between { .. } | Malformed::PresetNumber => ErrorKind::Range,
+                _ => ErrorKind::Argument,
+            },
             Self::FileTooLarge(_) | Self::PieceTooLarge(_) => ErrorKind::Limit,
             Self::Mesh(error) => match error {
                 vides_mesh::Error::Memory => ErrorKind::Memory,

@@ -42,6 +42,7 @@ mod path_to_keys;
 mod picture;
 mod place;
 mod property;
+mod property_access;
 mod rate;
 mod references;
 mod remedy;
@@ -54,6 +55,7 @@ mod step_name;
 mod target;
 pub mod tool;
 mod touched;
+mod typed;
 #[doc(hidden)]
 pub mod vid;
 mod wireframe;
@@ -83,6 +85,7 @@ pub use scene::SceneDocument;
 pub use shown::Poses;
 pub use step_name::StepName;
 pub use touched::Touched;
+pub use typed::{Form, Given};
 #[doc(hidden)]
 pub use vid::read_bytes;
 

@@ -5,18 +5,23 @@
 
 use vides_engine::shared_list::SharedList;
 
-use vides_engine::property::{Kind, Listed, Owner, Table, Value, find, list};
+use vides_engine::property::{Kind, Listed, Owner, Property, Table, Value, find, list};
 use vides_engine::scene::{Node, Values};
+use vides_engine::tools::check::{FindingKind, OFF};
 
+use crate::edit::At;
 use crate::edit::Selection;
-use crate::edit::{At, Edit};
 use crate::editing::Document;
 use crate::error::{EngineError, Error, Invalid, Malformed, Refused, Result};
-use crate::info::{Info, Object};
+use crate::info::{Info, Object, check_comment};
 use crate::named::{keys, no_property};
 use crate::set;
+use crate::typed::{self, Form, Given};
 use crate::vid::{self, PATH_KEYS, point_keys, quoted, view_keys};
-use vides_engine::path::{CameraPath, Orientation, OrientationOverrides, SupportPoint};
+use vides_engine::path::camera_path::check_name;
+use vides_engine::path::{
+    BaseFrames, CameraPath, Orientation, OrientationOverrides, SupportPoint, Tcb,
+};
 
 /// What is known of all properties, key by key in the order of files.
 #[must_use]
@@ -31,9 +36,10 @@ pub fn properties() -> Vec<Listed> {
     all
 }
 
-/// What a name leads to.
-enum Place<'a> {
+/// What a name leads to; it exists.
+pub(super) enum Place<'a> {
     Path(&'a str),
+    Limit(FindingKind),
     Point(usize, &'static str),
     View(Selection, &'static str),
     Node(usize, &'static str),
@@ -48,25 +54,155 @@ fn full(mut known: impl Iterator<Item = &'static str>, key: &str) -> Option<&'st
     })
 }
 
-fn place(name: &str) -> Result<Place<'_>> {
+/// What has properties: a path alone, a path in its scene, or a scene alone.
+pub(super) struct Owners<'a> {
+    pub(super) path: Option<&'a CameraPath>,
+    pub(super) info: &'a Info,
+    pub(super) nodes: &'a SharedList<Node>,
+}
+
+impl Owners<'_> {
+    /// What a name leads to; a node is called by its number, from 1, or by its name.
+    pub(super) fn place<'a>(&self, name: &'a str) -> Result<Place<'a>> {
+        if let Some(rest) = name.strip_prefix("node.") {
+            return self.node(name, rest);
+        }
+        if let Some(kind) = name.strip_prefix("check.") {
+            let none = |_| no_property(name, FindingKind::all().map(FindingKind::name));
+            return Ok(Place::Limit(FindingKind::parse(kind).map_err(none)?));
+        }
+        let known = |key: &str| match self.path {
+            Some(_) => PATH_KEYS.contains(&key),
+            None => find(Info::PROPERTIES, key).is_some(),
+        };
+        match (self.path, name.strip_prefix("point.")) {
+            (Some(path), Some(rest)) => point_or_view(path, name, rest),
+            _ if known(name.split('.').next().unwrap_or(name)) => Ok(Place::Path(name)),
+            (path, _) => {
+                let own = PATH_KEYS.iter().copied().filter(|&key| known(key));
+                let others = ["check.NAME", "node.N."].into_iter();
+                let points = path.map(|_| "point.N.").into_iter();
+                Err(no_property(name, own.chain(points).chain(others)))
+            }
+        }
+    }
+
+    fn node<'a>(&self, name: &str, rest: &str) -> Result<Place<'a>> {
+        let none = || no_property(name, keys::<Values>());
+        let (node, key) = rest.rsplit_once('.').ok_or_else(none)?;
+        let key = full(keys::<Values>(), key).ok_or_else(none)?;
+        let at = match node.parse::<usize>() {
+            Ok(number) => number.checked_sub(1).filter(|&at| at < self.nodes.len()),
+            Err(_) => self.nodes.iter().position(|known| known.name == node),
+        };
+        let missing = || match self.nodes.is_empty() {
+            true => Error::from(Refused::NoScene),
+            false => EngineError::from(Invalid::NoNodeNamed(node.into())).into(),
+        };
+        Ok(Place::Node(at.ok_or_else(missing)?, key))
+    }
+
+    fn path(&self) -> Result<&CameraPath> {
+        Ok(self.path.ok_or(Refused::NoPathEdited)?)
+    }
+
+    /// Which property is meant, and what is given for it.
+    pub(super) fn read(
+        &self,
+        place: Place<'_>,
+        given: Given<'_>,
+    ) -> Result<(At, &'static str, Value)> {
+        let (at, (property, value)) = match place {
+            Place::Path(key) if find(Info::PROPERTIES, key).is_some() => {
+                (At::Path, read_value(key, given, self.info)?)
+            }
+            Place::Path(key) => (At::Path, read_value(key, given, self.path()?)?),
+            Place::Point(at, key) => {
+                let point = set::point(self.path()?, at)?;
+                (At::Point(at), read_value(key, given, point)?)
+            }
+            Place::Node(at, key) => {
+                let rest = &self.nodes[at].rest;
+                (At::Node(at), read_value(key, given, rest)?)
+            }
+            Place::View(Selection { point, orientation }, key) => {
+                let view = set::orientation(self.path()?, point, orientation)?;
+                let read = match find(Orientation::PROPERTIES, key) {
+                    Some(_) => read_value(key, given, view)?,
+                    None => read_value(key, given, &*view.own)?,
+                };
+                (At::View(point, orientation), read)
+            }
+            Place::Limit(kind) => (At::Path, (kind.name(), read_limit(kind, given)?.into())),
+        };
+        Ok((at, property, value))
+    }
+
+    /// The kind and the value of a property.
+    fn value(&self, name: &str) -> Result<(Kind, Value)> {
+        Ok(match self.place(name)? {
+            Place::Limit(kind) => (Kind::Number, self.info.limits.get(kind).into()),
+            Place::Node(at, key) => of(&self.nodes[at].rest, key),
+            Place::Point(at, key) => of(set::point(self.path()?, at)?, key),
+            Place::View(at, key) => {
+                let view = set::orientation(self.path()?, at.point, at.orientation)?;
+                match find(Orientation::PROPERTIES, key) {
+                    Some(_) => of(view, key),
+                    None => of(&*view.own, key),
+                }
+            }
+            Place::Path(key) if find(Info::PROPERTIES, key).is_some() => of(self.info, key),
+            Place::Path(key) => {
+                let path = self.path()?;
+                match key.split_once('.') {
+                    Some(("base_speeds", key)) => of(&path.base_frames, key),
+                    Some(("presets", number)) => {
+                        let mut presets = path.presets;
+                        let preset = preset_mut(&mut presets, number);
+                        (
+                            Kind::Shape,
+                            (*preset.map_err(|error| told(name, error))?).into(),
+                        )
+                    }
+                    _ => of(path, key),
+                }
+            }
+        })
+    }
+
+    /// The value as in a file, or a text as it is; empty if it has none.
+    pub(super) fn text(&self, name: &str, plain: bool) -> Result<String> {
+        let (kind, value) = self.value(name)?;
+        Ok(match value {
+            Value::Text(text) if plain => text,
+            Value::Choice(choice) if plain && kind.has(&value) => choice.to_owned(),
+            Value::Number(OFF) => "off".to_owned(),
+            value if kind.has(&value) => value.to_string(),
+            _ => String::new(),
+        })
+    }
+
+    /// The value, if it is asked for in the form that its kind has; none if it is not set.
+    pub(super) fn formed(&self, name: &str, asked: Form) -> Result<Option<Value>> {
+        let (kind, value) = self.value(name)?;
+        let is = Form::of(kind);
+        if is != asked {
+            return Err(told(name, typed::other_form(is, asked)));
+        }
+        Ok(kind.has(&value).then_some(value))
+    }
+}
+
+fn point_or_view<'a>(path: &CameraPath, name: &str, rest: &str) -> Result<Place<'a>> {
     let none = || no_property(name, point_keys().chain(view_keys()));
     let number = |text: &str| match text.parse::<usize>() {
         Ok(number) => number.checked_sub(1),
         Err(_) => None,
     };
-    let Some(rest) = name.strip_prefix("point.") else {
-        let key = name.split('.').next().unwrap_or(name);
-        return match PATH_KEYS.contains(&key) {
-            true => Ok(Place::Path(name)),
-            false => Err(no_property(
-                name,
-                PATH_KEYS.iter().copied().chain(["point.N."]),
-            )),
-        };
-    };
     let (point, key) = rest.split_once('.').ok_or_else(none)?;
     let point = number(point).ok_or_else(none)?;
     if let Some(key) = full(point_keys(), key) {
+        set::point(path, point)?;
         return Ok(Place::Point(point, key));
     }
     let (view, key) = match key.strip_prefix("view.").map(|view| view.split_once('.')) {
@@ -76,84 +212,30 @@ fn place(name: &str) -> Result<Place<'_>> {
             (number(view).ok_or_else(none)?, key)
         }
     };
-    match full(view_keys(), key) {
-        Some(key) => Ok(Place::View(Selection::at(point, view), key)),
-        None => Err(none()),
+    let key = full(view_keys(), key).ok_or_else(none)?;
+    set::orientation(path, point, view)?;
+    Ok(Place::View(Selection::at(point, view), key))
+}
+
+/// An error with the name of the property before it.
+pub(super) fn told(name: &str, error: Error) -> Error {
+    let cause = match error {
+        Error::Format { cause, .. } | Error::Property { cause, .. } => cause,
+        Error::Engine(error) if !matches!(error, EngineError::Memory | EngineError::At(..)) => {
+            error.into()
+        }
+        other => return other,
+    };
+    Error::Property {
+        name: name.into(),
+        cause,
     }
 }
 
 impl Document {
-    fn nodes(&self) -> &SharedList<Node> {
+    pub(super) fn nodes(&self) -> &SharedList<Node> {
         self.edited_scene()
             .map_or(SharedList::EMPTY, |edited| edited.scene().nodes())
-    }
-
-    /// What a name leads to; a node is called by its number, from 1, or by its name.
-    fn place<'a>(&self, name: &'a str) -> Result<Place<'a>> {
-        let Some(rest) = name.strip_prefix("node.") else {
-            return place(name);
-        };
-        let none = || no_property(name, keys::<Values>());
-        let (node, key) = rest.rsplit_once('.').ok_or_else(none)?;
-        let key = full(keys::<Values>(), key).ok_or_else(none)?;
-        let nodes = self.nodes();
-        let at = match node.parse::<usize>() {
-            Ok(number) => number.checked_sub(1).filter(|&at| at < nodes.len()),
-            Err(_) => nodes.iter().position(|known| known.name == node),
-        };
-        let missing = || match nodes.is_empty() {
-            true => Error::from(Refused::NoScene),
-            false => EngineError::from(Invalid::NoNodeNamed(node.into())).into(),
-        };
-        Ok(Place::Node(at.ok_or_else(missing)?, key))
-    }
-
-    /// Sets a property by its name to a value as in a file; texts need no quotes, and
-    /// nothing gives back what a new path has. One step.
-    ///
-    /// # Errors
-    /// `ErrorKind::Argument` or `Range` with the name and the reason; `ErrorKind::Memory`. The
-    /// path is as it was then.
-    pub fn set_property(&mut self, name: &str, value: &str) -> Result<()> {
-        let (place, path) = (self.place(name)?, self.path());
-        let told = |error| match error {
-            Error::Format { cause, .. } => Error::Property {
-                name: (&name).into(),
-                cause,
-            },
-            Error::Engine(error) if !matches!(error, EngineError::Memory | EngineError::At(..)) => {
-                Error::Property {
-                    name: (&name).into(),
-                    cause: error.into(),
-                }
-            }
-            other => other,
-        };
-        let value = value.trim();
-        let (at, read) = match place {
-            Place::Path(key) if find(Info::PROPERTIES, key).is_some() => {
-                (At::Path, read_value(key, value, self.info()))
-            }
-            Place::Path(key) => (At::Path, read_value(key, value, path)),
-            Place::Point(at, key) => {
-                let point = set::point(path, at)?;
-                (At::Point(at), read_value(key, value, point))
-            }
-            Place::Node(at, key) => {
-                let rest = &self.nodes()[at].rest;
-                (At::Node(at), read_value(key, value, rest))
-            }
-            Place::View(Selection { point, orientation }, key) => {
-                let view = set::orientation(path, point, orientation)?;
-                let read = match find(Orientation::PROPERTIES, key) {
-                    Some(_) => read_value(key, value, view),
-                    None => read_value(key, value, &*view.own),
-                };
-                (At::View(point, orientation), read)
-            }
-        };
-        let (property, value) = read.map_err(told)?;
-        self.apply(Edit::set(at, property, value)).map_err(told)
     }
 
     /// All properties by their full names, each with its value as in a file; those that
@@ -202,39 +284,6 @@ impl Document {
         }
         Ok(all)
     }
-
-    /// The value of a property by its name, as in a file; empty if it has none.
-    ///
-    /// # Errors
-    /// `ErrorKind::Range` if there is no such property; `ErrorKind::Memory`.
-    pub fn property(&self, name: &str) -> Result<String> {
-        let path = self.path();
-        let (kind, value) = match self.place(name)? {
-            Place::Node(at, key) => of(&self.nodes()[at].rest, key),
-            Place::Point(at, key) => of(set::point(path, at)?, key),
-            Place::View(at, key) => {
-                let view = set::orientation(path, at.point, at.orientation)?;
-                view_of(view, key)
-            }
-            Place::Path(key) => match key.split_once('.') {
-                Some(("base_speeds", key)) => of(&path.base_frames, key),
-                Some(("presets", number)) => {
-                    let preset = number
-                        .parse()
-                        .ok()
-                        .and_then(|at: usize| path.presets.get(at));
-                    (Kind::Shape, preset.copied().into())
-                }
-                _ if find(Info::PROPERTIES, key).is_some() => of(self.info(), key),
-                _ => of(path, key),
-            },
-        };
-        Ok(if kind.has(&value) {
-            value.to_string()
-        } else {
-            String::new()
-        })
-    }
 }
 
 /// A property of what has a table, and of which kind it is under this key.
@@ -245,26 +294,105 @@ fn of<T: Table>(has: &T, key: &str) -> (Kind, Value) {
     })
 }
 
-/// The same of a view, or of its custom values.
-fn view_of(view: &Orientation, key: &str) -> (Kind, Value) {
-    match find(Orientation::PROPERTIES, key) {
-        Some(_) => of(view, key),
-        None => of(&*view.own, key),
+/// Reads a limit: a number, or "off"; nothing is the default.
+fn read_limit(kind: FindingKind, given: Given<'_>) -> Result<f64> {
+    match given {
+        Given::Number(limit) => Ok(limit),
+        Given::File(text) | Given::Text(text) => match text.trim() {
+            "" => Ok(kind.limit().default),
+            "off" | "\"off\"" => Ok(OFF),
+            other => {
+                let none = |_| typed::other_form(Form::Number, Form::Text);
+                other.parse().map_err(none)
+            }
+        },
+        other => Err(typed::other_form(Form::Number, other.form())),
     }
 }
 
-/// Reads `key = value` as in a file; what no value of a file is, is a text. Nothing is
-/// what a new one has.
-fn read_value<T: Table>(key: &str, value: &str, of: &T) -> Result<(&'static str, Value)> {
-    let first = key.split('.').next().unwrap_or(key);
+/// Whether it is nothing that a new one has: where a point lies.
+fn is_own<T>(row: &Property<T>) -> bool {
+    row.always && !row.copied[0]
+}
+
+/// Reads what is given for a key.
+fn read_value<T: Table>(key: &str, given: Given<'_>, of: &T) -> Result<(&'static str, Value)> {
+    let (first, part) = key
+        .split_once('.')
+        .map_or((key, false), |(first, _)| (first, true));
     let row = find(T::PROPERTIES, first);
     let row = row.ok_or_else(|| no_property(key, keys::<T>()))?;
     let known = row.keys.iter().find(|known| **known == first);
     let property = known.copied().unwrap_or(row.key());
-    // Where a point lies is nothing that a new one has.
-    let own = row.always && !row.copied[0];
-    if value.is_empty() && first == key && !own {
-        return Ok((property, Value::Unset));
+    let kind = match row.kind(first) {
+        Kind::Presets if part => Kind::Shape,
+        Kind::BaseFrames if part => Kind::Number,
+        kind => kind,
+    };
+    let value = match given {
+        Given::File(value) => read_from_file(key, value.trim(), of)?,
+        Given::Text(text) if kind == Kind::Text => {
+            // Checked before it is copied, since it may be of any length.
+            match property {
+                "comment" => check_comment(text)?,
+                _ => check_name(text)?,
+            }
+            let mut copy = String::new();
+            copy.try_reserve_exact(text.len())?;
+            copy.push_str(text);
+            Value::Text(copy)
+        }
+        Given::Text(text) => read_from_file(key, text, of)?,
+        other if part => match typed::value(kind, other, None)? {
+            Value::Unset => read_from_file(key, "", of)?,
+            new => with_part((row.value)(of), &key[first.len() + 1..], new)?,
+        },
+        other => match typed::value(kind, other, row.range)? {
+            Value::Unset if is_own(row) => {
+                let wanted = Form::width(kind);
+                return Err(typed::malformed(Malformed::NumberCount {
+                    wanted,
+                    found: 0,
+                }));
+            }
+            value => value,
+        },
+    };
+    Ok((property, value))
+}
+
+/// A value of which a part becomes another.
+fn with_part(whole: Value, part: &str, mut new: Value) -> Result<Value> {
+    match (whole, new.clone()) {
+        (Value::Presets(mut presets), Value::Shape(shape)) => {
+            *preset_mut(&mut presets, part)? = shape;
+            Ok(Value::Presets(presets))
+        }
+        (Value::BaseFrames(mut frames), _) => {
+            let row = find(BaseFrames::PROPERTIES, part);
+            let row = row.ok_or_else(|| no_property(part, keys::<BaseFrames>()))?;
+            (row.exchange)(&mut frames, &mut new);
+            Ok(Value::BaseFrames(frames))
+        }
+        (whole, _) => Ok(whole),
+    }
+}
+
+/// The preset of a number, one digit.
+fn preset_mut<'a>(presets: &'a mut [Tcb], number: &str) -> Result<&'a mut Tcb> {
+    let at = number.parse::<usize>().ok();
+    let found = at.and_then(|at| presets.get_mut(at));
+    found.ok_or_else(|| typed::malformed(Malformed::PresetNumber))
+}
+
+/// Reads `key = value` as in a file; what no value of a file is, is a text. Nothing is
+/// what a new one has.
+fn read_from_file<T: Table>(key: &str, value: &str, of: &T) -> Result<Value> {
+    let first = key.split('.').next().unwrap_or(key);
+    let row = find(T::PROPERTIES, first);
+    let row = row.ok_or_else(|| no_property(key, keys::<T>()))?;
+    if value.is_empty() && first == key && !is_own(row) {
+        return Ok(Value::Unset);
     }
     let new = match value {
         "" if first != key => Document::new().property(key)?,
@@ -272,19 +400,17 @@ fn read_value<T: Table>(key: &str, value: &str, of: &T) -> Result<(&'static str,
     };
     let as_text = || vid::value_of(&format!("{key} = {}\n", quoted(value)), of);
     let is_text = matches!(row.kind(first), Kind::Text | Kind::Choice(_));
-    let read = if is_text && !value.starts_with(['"', '\'', '{']) {
-        as_text()
-    } else {
-        // One line: more would be more keys.
-        match vid::value_of(&format!("{key} = {new}\n"), of) {
-            Err(Error::Format {
-                cause: Malformed::Toml(_),
-                ..
-            }) => as_text(),
-            done => done,
-        }
-    };
-    Ok((property, read?))
+    if is_text && !value.starts_with(['"', '\'', '{']) {
+        return as_text();
+    }
+    // One line: more would be more keys.
+    match vid::value_of(&format!("{key} = {new}\n"), of) {
+        Err(Error::Format {
+            cause: Malformed::Toml(_),
+            ..
+        }) => as_text(),
+        done => done,
+    }
 }
 
 #[cfg(test)]

@@ -1,5 +1,6 @@
 use super::*;
 use crate::error::ErrorKind;
+use crate::scene::SceneDocument;
 
 fn flight() -> Document {
     let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/pyramid.vid");
@@ -219,5 +220,213 @@ fn what_cannot_be_is_refused() {
             "{name}"
         );
         assert_eq!(document.to_toml().unwrap(), before);
+    }
+}
+
+/// The same in the types of programs; what is of another kind is refused by name.
+#[test]
+fn values_have_types() {
+    let mut document = flight();
+    let before = document.to_toml().unwrap();
+    let speeds = [50.0, 40.0, 30.0, 20.0, 10.0, 10.0, 20.0, 30.0, 40.0, 50.0];
+    for (name, numbers, as_text) in [
+        (
+            "point.2.own",
+            &[0.5, 0.25, -0.5][..],
+            "{ tension = 0.5, continuity = 0.25, bias = -0.5 }",
+        ),
+        (
+            "presets.4",
+            &[0.5, 0.0, 0.0],
+            "{ tension = 0.5, continuity = 0.0, bias = 0.0 }",
+        ),
+        (
+            "point.2.ease",
+            &[1.0, 0.25, 0.5, 60.0],
+            "{ kind = \"parabolic\", rise = 0.25, fall = 0.5, cruise = 60.0 }",
+        ),
+        (
+            "point.2.distance",
+            &[0.0, 0.0, 0.5, 0.25, 1.0, 1.0],
+            "[[0.0, 0.0], [0.5, 0.25], [1.0, 1.0]]",
+        ),
+        ("point.2.up_point", &[0.0, 2.0, 0.0], "[0.0, 2.0, 0.0]"),
+        (
+            "point.2.tangents",
+            &[1.0, 0.0, 0.0, 0.0, 1.0, 0.0],
+            "{ before = [1.0, 0.0, 0.0], after = [0.0, 1.0, 0.0] }",
+        ),
+        ("point.2.speed_curve", &speeds, &format!("{speeds:?}")),
+        (
+            "base_speeds",
+            &[10.0, 20.0, 30.0, 40.0],
+            "{ move_frames = 10.0, turn_frames = 20.0, zoom_frames = 30.0, roll_frames = 40.0 }",
+        ),
+    ] {
+        document.set_value(name, Given::Numbers(numbers)).unwrap();
+        assert_eq!(document.numbers_of(name).unwrap(), numbers, "{name}");
+        assert_eq!(document.text_of(name).unwrap(), as_text);
+        document.undo();
+        document.set_value(name, Given::Text(as_text)).unwrap();
+        assert_eq!(document.numbers_of(name).unwrap(), numbers, "{name}");
+        document.undo();
+        assert_eq!(document.to_toml().unwrap(), before, "{name}");
+    }
+    document
+        .set_value("point.2.ahead", Given::Number(0.5))
+        .unwrap();
+    assert_eq!(document.number_of("point.2.ahead").unwrap(), Some(0.5));
+    document
+        .set_value("point.2.ahead", Given::Text(""))
+        .unwrap();
+    assert_eq!(document.number_of("point.2.ahead").unwrap(), None);
+    document
+        .set_value("point.2.hold", Given::Number(7.0))
+        .unwrap();
+    assert_eq!(document.number_of("point.2.hold").unwrap(), Some(7.0));
+    document
+        .set_value("point.2.locked", Given::Flag(true))
+        .unwrap();
+    assert!(document.flag_of("point.2.locked").unwrap());
+    // As it is, where a file has quotes.
+    document
+        .set_value("title", Given::Text("\"Um\" den Turm "))
+        .unwrap();
+    assert_eq!(document.text_of("title").unwrap(), "\"Um\" den Turm ");
+    document
+        .set_value("base_speeds.zoom_frames", Given::Number(70.0))
+        .unwrap();
+    assert_eq!(
+        document.number_of("base_speeds.zoom_frames").unwrap(),
+        Some(70.0)
+    );
+    document
+        .set_value("check.turning", Given::Number(45.0))
+        .unwrap();
+    assert_eq!(document.number_of("check.turning").unwrap(), Some(45.0));
+    document
+        .set_value("check.turning", Given::Number(f64::INFINITY))
+        .unwrap();
+    assert_eq!(document.property("check.turning").unwrap(), "off");
+    document
+        .set_value("check.turning", Given::Text(""))
+        .unwrap();
+    assert_eq!(document.number_of("check.turning").unwrap(), Some(60.0));
+    for (name, given, reason) in [
+        (
+            "point.2.zoom",
+            Given::Flag(true),
+            "expected a number, found true or false",
+        ),
+        (
+            "point.2.zoom",
+            Given::Number(f64::NAN),
+            "the zoom must lie between",
+        ),
+        (
+            "point.2.hold",
+            Given::Number(1.5),
+            "expected a whole number",
+        ),
+        (
+            "point.2.hold",
+            Given::Number(-1.0),
+            "must lie between 0 and 1000000",
+        ),
+        (
+            "point.2.position",
+            Given::Numbers(&[0.0; 2]),
+            "expected 3 numbers, found 2",
+        ),
+        (
+            "point.2.position",
+            Given::Numbers(&[]),
+            "expected 3 numbers, found 0",
+        ),
+        (
+            "point.2.distance",
+            Given::Numbers(&[0.0; 3]),
+            "expected 4 numbers, found 3",
+        ),
+        (
+            "point.2.own",
+            Given::Number(0.5),
+            "expected an array, found a number",
+        ),
+        (
+            "closed",
+            Given::Number(1.0),
+            "expected true or false, found a number",
+        ),
+        ("curve", Given::Text("round"), "must be \"tcb\""),
+        (
+            "point.2.ease",
+            Given::Numbers(&[2.0, 0.0, 0.0, 50.0]),
+            "must be \"sine\" or \"parabolic\"",
+        ),
+        ("check.turning", Given::Number(-1.0), ""),
+    ] {
+        let after = document.to_toml().unwrap();
+        let error = document.set_value(name, given).unwrap_err().to_string();
+        assert!(
+            error.starts_with(&format!("{name}: ")) && error.contains(reason),
+            "{error}"
+        );
+        assert_eq!(document.to_toml().unwrap(), after);
+    }
+    let error = document
+        .set_value("check.boredom", Given::Number(1.0))
+        .unwrap_err();
+    assert_eq!(error.kind(), ErrorKind::Range);
+    let error = document.number_of("title").unwrap_err();
+    assert_eq!(error.to_string(), "title: expected a text, found a number");
+}
+
+/// A scene has what its file has besides paths.
+#[test]
+fn scenes_have_properties() {
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/car.vid");
+    let mut scene = SceneDocument::load(file.as_ref()).unwrap();
+    for (name, given) in [
+        ("title", Given::Text("A car")),
+        ("fps", Given::Number(50.0)),
+        ("first_frame", Given::Number(1001.0)),
+        ("check.zoom", Given::Number(5.0)),
+        ("node.sun.intensity", Given::Number(3.0)),
+        ("node.sun.colour", Given::Numbers(&[1.0, 0.5, 0.25])),
+        ("node.sun.visible", Given::Flag(false)),
+    ] {
+        scene.set_value(name, given).unwrap();
+    }
+    let again = SceneDocument::from_toml(&scene.to_toml().unwrap()).unwrap();
+    assert_eq!(again.text_of("title").unwrap(), "A car");
+    assert_eq!(again.number_of("fps").unwrap(), Some(50.0));
+    assert_eq!(again.number_of("first_frame").unwrap(), Some(1001.0));
+    assert_eq!(again.number_of("check.zoom").unwrap(), Some(5.0));
+    assert_eq!(again.number_of("node.sun.intensity").unwrap(), Some(3.0));
+    assert_eq!(
+        again.numbers_of("node.sun.colour").unwrap(),
+        [1.0, 0.5, 0.25]
+    );
+    assert!(!again.flag_of("node.sun.visible").unwrap());
+    for (name, given, reason) in [
+        ("fps", Given::Number(0.0), "fps: "),
+        (
+            "node.sun.intensity",
+            Given::Number(-1.0),
+            "node.sun.intensity: ",
+        ),
+        ("node.moon.intensity", Given::Number(1.0), "moon"),
+        (
+            "closed",
+            Given::Flag(true),
+            "known here: title, comment, fps, first_frame, check.NAME",
+        ),
+        ("point.1.zoom", Given::Number(30.0), "there is no property"),
+    ] {
+        let before = scene.to_toml().unwrap();
+        let error = scene.set_value(name, given).unwrap_err().to_string();
+        assert!(error.contains(reason), "{error}");
+        assert_eq!(scene.to_toml().unwrap(), before);
     }
 }

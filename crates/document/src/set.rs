@@ -100,7 +100,7 @@ fn set_info(content: &mut Content, property: &'static str, mut value: Value) -> 
 }
 
 /// Exchanges a property for a value; one that is not set is that of `new`.
-fn exchange<T: Table>(
+pub(super) fn exchange<T: Table>(
     of: &mut T,
     property: &'static str,
     value: &mut Value,

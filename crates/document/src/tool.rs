@@ -1,14 +1,17 @@
 //! The interactive tools, each with a table of its parameters, from which window and texts are
 //! built, and the edit it makes; the mathematics is in [`vides_engine::tools`].
 
+mod options;
 mod table;
 
+use std::fmt;
 use std::sync::Arc;
 
 use glam::{DQuat, DVec3};
 use vides_engine::deform::{Bounds, Deformation, identity_lattice};
 use vides_engine::planner::{
-    AvoidRequest, Request, SteadyRequest, TourRequest, What, avoid_object, retime, steady, tour,
+    AvoidRequest, AvoidedPart, Request, Rest, SteadyRequest, TourRequest, What, avoid_object,
+    retime, steady, tour,
 };
 use vides_engine::tools::blend::blend;
 use vides_engine::tools::block::{self, Fit};
@@ -82,11 +85,55 @@ pub struct Made {
     pub edit: Option<Edit>,
     /// How well a path follows the recorded poses to which it was fitted.
     pub fit: Option<FitResult>,
+    /// What was done, in numbers by their names.
+    pub numbers: Vec<(&'static str, f64)>,
+    /// The same in sentences.
+    pub lines: Vec<Line>,
+}
+
+/// What a tool did, as a sentence.
+#[derive(Debug, Clone, Copy)]
+pub enum Line {
+    /// A part that leads another way.
+    Avoided(AvoidedPart),
+    /// Where the pace rests.
+    Rest(Rest),
+    /// How far a position moved, and by how many degrees a view turned, at most.
+    Steadied(f64, f64),
+}
+
+impl fmt::Display for Line {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Avoided(part) => part.fmt(f),
+            Self::Rest(rest) => rest.fmt(f),
+            Self::Steadied(furthest, turned) => write!(
+                f,
+                "places went {furthest:.6} at most, views turned {turned:.3} degrees"
+            ),
+        }
+    }
+}
+
+impl Made {
+    /// Another path in the place of the old one, and what was done.
+    fn path(path: CameraPath, numbers: &[(&'static str, f64)], lines: Vec<Line>) -> Self {
+        Self {
+            numbers: numbers.to_vec(),
+            lines,
+            ..Some(Edit::ReplacePath(Box::new(path))).into()
+        }
+    }
 }
 
 impl From<Option<Edit>> for Made {
     fn from(edit: Option<Edit>) -> Self {
-        Self { edit, fit: None }
+        Self {
+            edit,
+            fit: None,
+            numbers: Vec::new(),
+            lines: Vec::new(),
+        }
     }
 }
 
@@ -395,22 +442,28 @@ impl Tool {
             (Kind::Reverse, _) => Edit::Reverse,
             (Kind::Repeat, _) => Edit::Repeat(chosen(given.number("times"))),
             (Kind::Frames, _) => {
-                let points = given.points()?;
+                let [first, last] = given.ends();
+                let frames = chosen(given.number("frames"));
                 Edit::FitFrames {
-                    first: points[0],
-                    last: points[points.len() - 1],
-                    frames: chosen(given.number("frames")),
+                    first,
+                    last,
+                    frames,
                 }
             }
-            (Kind::Retime, _) => Edit::ReplacePath(Box::new(given.retimed(progress)?)),
-            (Kind::Steady, _) => Edit::ReplacePath(Box::new(given.steadied(progress)?)),
-            (Kind::Avoid, _) => Edit::ReplacePath(Box::new(given.avoiding(material, progress)?)),
+            (Kind::Retime, _) => return given.retimed(progress),
+            (Kind::Steady, _) => return given.steadied(progress),
+            (Kind::Avoid, _) => return given.avoiding(material, progress),
             (Kind::Picture, _) => {
                 let what = What::ALL[chosen(given.number("what")).min(What::ALL.len() - 1)];
                 let object = material.object_or_own(document)?;
                 let how = (given.number("margin"), what);
                 let made = document.framed(&object, how, document.info().limits, progress)?;
-                Edit::ReplacePath(Box::new(made.path))
+                let numbers = [
+                    ("added", made.added as f64),
+                    ("tightest", made.tightest),
+                    ("loosest", made.loosest),
+                ];
+                return Ok(Made::path(made.path, &numbers, Vec::new()));
             }
             (Kind::Tour, _) => Edit::ReplacePath(Box::new(given.tour(progress)?)),
             (Kind::Fit, ToolInput::Poses(poses, seconds, up)) => {
@@ -528,33 +581,53 @@ impl<'a> ToolArguments<'a> {
         Ok((first - 1..last).collect())
     }
 
-    fn retimed(&self, progress: Progress<'_>) -> Result<CameraPath> {
-        let (points, info) = (self.points()?, self.document.info());
+    /// The first and the last point, from 0; on a closed path also over its seam.
+    fn ends(&self) -> [usize; 2] {
+        [FIRST, LAST].map(|end| chosen(self.number(end.name)).saturating_sub(1))
+    }
+
+    fn retimed(&self, progress: Progress<'_>) -> Result<Made> {
+        let info = self.document.info();
         let request = Request {
             limits: info.limits,
             fps: info.fps,
-            points: Some([points[0], points[points.len() - 1]]),
+            points: Some(self.ends()),
             seconds: self.number("seconds"),
         };
-        Ok(retime(self.document.path(), &request, progress)?.path)
+        let made = retime(self.document.path(), &request, progress)?;
+        let lines = made.rests.iter().copied().map(Line::Rest).collect();
+        Ok(Made::path(made.path, &[("seconds", made.seconds)], lines))
     }
 
-    fn steadied(&self, progress: Progress<'_>) -> Result<CameraPath> {
+    fn steadied(&self, progress: Progress<'_>) -> Result<Made> {
         let request = SteadyRequest {
             period: self.number("period"),
             within: self.number("within"),
             fps: self.document.info().fps,
         };
-        Ok(steady(self.document.path(), &request, progress)?.path)
+        let made = steady(self.document.path(), &request, progress)?;
+        let line = Line::Steadied(made.furthest, made.turned);
+        let numbers = [("furthest", made.furthest), ("turned", made.turned)];
+        Ok(Made::path(made.path, &numbers, vec![line]))
     }
 
-    fn avoiding(&self, material: &ToolInput, progress: Progress<'_>) -> Result<CameraPath> {
+    fn avoiding(&self, material: &ToolInput, progress: Progress<'_>) -> Result<Made> {
         let request = AvoidRequest {
             clearance: self.number("clearance"),
             radius: self.number("radius"),
         };
         let object = material.object_or_own(self.document)?;
-        Ok(avoid_object(self.document.path(), &object, &request, progress)?.path)
+        let made = avoid_object(self.document.path(), &object, &request, progress)?;
+        let sum = |of: fn(&AvoidedPart) -> usize| made.parts.iter().map(of).sum::<usize>() as f64;
+        let furthest = made.parts.iter().map(|part| part.furthest);
+        let numbers = [
+            ("parts", made.parts.len() as f64),
+            ("moved", sum(|part| part.moved)),
+            ("inserted", sum(|part| part.inserted)),
+            ("furthest", furthest.fold(0.0, f64::max)),
+        ];
+        let lines = made.parts.iter().copied().map(Line::Avoided).collect();
+        Ok(Made::path(made.path, &numbers, lines))
     }
 
     /// The points that a fit may have; none: those that its tolerance needs.
@@ -600,6 +673,7 @@ impl<'a> ToolArguments<'a> {
                 deviations,
                 left_out,
             }),
+            ..Made::from(None)
         })
     }
 
@@ -629,8 +703,7 @@ impl<'a> ToolArguments<'a> {
 
     /// On a closed path also over its seam.
     fn extracted(&self) -> Result<CameraPath> {
-        let [first, last] =
-            [FIRST, LAST].map(|end| chosen(self.number(end.name)).saturating_sub(1));
+        let [first, last] = self.ends();
         Ok(block::extract(self.document.path(), first, last)?)
     }
 

@@ -223,7 +223,7 @@ pub(super) const TOOLS: &[Tool] = &[
         name: "repeat",
         does: "repeats the path",
         kind: Kind::Repeat,
-        tables: [&[count("times", "how often", 1000, 2.0)], &[]],
+        tables: [&[count("times", "how often", 100_000, 2.0)], &[]],
     },
     Tool {
         name: "frames",
