@@ -163,7 +163,7 @@ pub(super) unsafe fn value_text<'a>(value: *const c_char) -> Answer<Given<'a>> {
     Ok(Given::Text(value))
 }
 
-/// Numbers of a host's for a property; NULL if there are none.
+/// Numbers for a property from the host, or NULL.
 ///
 /// # Safety
 /// As for [`slice`].
@@ -190,7 +190,7 @@ pub(super) unsafe fn answer_numbers(out: ArrayOut<f64>, numbers: &[f64]) -> Answ
 }
 
 /// Writes the name of a property into a buffer of this thread; one that is too long is cut short,
-/// and then no property has it.
+/// and then no property matches.
 pub(super) fn thread_key(name: fmt::Arguments<'_>) -> *const c_char {
     struct Key([u8; 128], usize);
     impl fmt::Write for Key {

@@ -101,7 +101,7 @@ pub(super) fn other_form(wanted: Form, found: Form) -> Error {
     })
 }
 
-/// The value of a kind that is given as a number, numbers or a flag, unchecked but for the range of
+/// The value of a kind that is given as a number, numbers or a flag, unchecked except for the range of
 /// whole numbers.
 pub(super) fn value(kind: Kind, given: Given<'_>, range: Option<(f64, f64)>) -> Result<Value> {
     Ok(match (kind, given) {
@@ -143,7 +143,7 @@ fn exactly<const N: usize>(given: &[f64]) -> Result<[f64; N]> {
     })
 }
 
-/// Pieces of so many numbers.
+/// Pieces of that length.
 fn pieces<const N: usize>(given: &[f64]) -> Result<&[[f64; N]]> {
     match given.as_chunks() {
         (pieces, []) => Ok(pieces),

@@ -13,7 +13,7 @@ impl Tool {
     /// the choices, or yes or no. Points count from 1.
     ///
     /// # Errors
-    /// `ErrorKind::Range` for a name that is none, `ErrorKind::Argument` for a value; both with the
+    /// `ErrorKind::Range` for an unknown name, `ErrorKind::Argument` for a value; both with the
     /// name. As [`Tool::defaults`].
     pub fn numbers(&self, document: &Document, options: &str) -> Result<Vec<f64>> {
         let mut numbers = self.defaults(document)?;

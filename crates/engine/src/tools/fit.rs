@@ -305,7 +305,7 @@ const MOST_OUTLIERS: usize = 20;
 /// So many standard deviations of a coordinate no noise is far from the flight.
 const BEYOND_NOISE: f64 = 5.0;
 
-/// So many no bounded noise is.
+/// More deviations than bounded noise can have.
 const BOUNDED: f64 = 3.5;
 
 /// Multiples of that which are tried for a better tolerance.

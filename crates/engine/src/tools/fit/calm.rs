@@ -131,7 +131,7 @@ impl Data {
         Ok(())
     }
 
-    /// Whether all turn evenly but for noise; then they do.
+    /// Whether all turn evenly except for noise; then they do.
     fn turns_evenly(&mut self, all: Range<usize>) -> Result<bool> {
         let mut middle = self.raw[all.start + all.len() / 2].turn;
         let mut turned = vec_with_room(all.len())?;

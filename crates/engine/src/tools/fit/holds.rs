@@ -51,7 +51,7 @@ impl Data {
         Ok(path)
     }
 
-    /// Adds a point that rests so many frames between two pieces: several, with nearly nothing
+    /// Adds a point that rests for those frames between two pieces: several, with nearly nothing
     /// between them, where one may not rest as long.
     pub(super) fn rest(
         &self,

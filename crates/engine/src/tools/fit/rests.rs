@@ -20,10 +20,10 @@ const CHANCE: f64 = 21.7;
 /// times what a parabola has whose run is just chance.
 const BESIDE: f64 = 46.0;
 
-/// Such a part of a run, on either side, lies beside it.
+/// The share of a run that counts as its neighbourhood, on either side.
 const SIDE: usize = 4;
 
-/// The lengths of runs that are tried, each by so much shorter than the one before.
+/// The lengths of runs that are tried, each shorter than the one before by this factor.
 const SHORTER: f64 = 0.75;
 
 /// Sums of rows up to each.
@@ -60,7 +60,7 @@ impl<'a, const N: usize> Sums<'a, N> {
         squares.sum::<f64>().sqrt()
     }
 
-    /// Whether its parts are one but for chance.
+    /// Whether its parts differ by chance only.
     fn rests(&self, run: &Range<usize>) -> bool {
         let mean = self.mean(run.clone());
         let end = |part: usize| run.start + run.len() * part / PARTS;
@@ -72,7 +72,7 @@ impl<'a, const N: usize> Sums<'a, N> {
         squares.sum::<f64>() <= CHANCE
     }
 
-    /// Whether those beside it are elsewhere, all at once.
+    /// Whether its neighbours are elsewhere, all at once.
     fn stands_out(&self, run: &Range<usize>) -> bool {
         let mean = self.mean(run.clone());
         let least = BESIDE * self.noise / (run.len() as f64).sqrt();
