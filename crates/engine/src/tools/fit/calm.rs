@@ -2,6 +2,7 @@
 //! the tolerance are their mean, and those that are noise on an even motion are on it, since what is
 //! left of them is noise, in which no piece could be long.
 
+use std::iter;
 use std::ops::Range;
 
 use glam::{DQuat, DVec3};
@@ -89,7 +90,8 @@ impl Data {
             );
             pauses = self.pauses(all.clone(), &places, self.tolerance)?;
             let mut from = begin;
-            for pause in pauses.iter().chain(&[end..end]) {
+            let beyond = end..end;
+            for pause in pauses.iter().chain(iter::once(&beyond)) {
                 let between = from..pause.start;
                 from = pause.end;
                 let rows = &places[between.start - begin..between.end - begin];
