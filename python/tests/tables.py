@@ -115,7 +115,7 @@ def argument(row: tuple[str, str, list[str], bool, str, int, float], required: b
 
 def method(name: str, does: str, is_move: bool, block: bool, rows: list[tuple[str, str, list[str], bool, str, int, float]]) -> list[str]:
     """A method for a tool."""
-    rows = [row for row in rows if not (is_move and row[0] == "put")]
+    rows = [row for row in rows if not (is_move and row[0] in ("put", "fit"))]
     made = [argument(row, not is_move) for row in rows]
     own = [one for one in made if one[1] not in ("first", "last", "with_targets")]
     shared = [one for one in made if one not in own]

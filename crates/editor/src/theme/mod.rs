@@ -181,34 +181,40 @@ pub(super) fn choice(ui: &mut Ui, chosen: bool, text: &str) -> Response {
     marked(ui, chosen, text, |ui, text| ui.radio(chosen, text))
 }
 
-/// Choices in rows: two where both have room, else one.
-pub(super) fn side_by_side<'a, T>(
-    ui: &Ui,
-    mut words: &'a [(T, &'static str)],
-) -> impl Iterator<Item = &'a [(T, &'static str)]> + use<'a, T> {
-    let spacing = ui.spacing();
-    let (mark, gap) = (
-        spacing.icon_width + spacing.icon_spacing,
-        spacing.item_spacing.x,
-    );
-    let font = egui::TextStyle::Button.resolve(ui.style());
-    let (painter, room) = (ui.painter().clone(), ui.available_width());
-    let width = move |word: &str| {
-        let galley = painter.layout_no_wrap(word.to_owned(), font.clone(), Color32::PLACEHOLDER);
-        mark + galley.size().x
-    };
-    std::iter::from_fn(move || {
-        let both = words
-            .get(..2)
-            .map(|two| width(two[0].1) + gap + width(two[1].1));
-        let count = match both {
-            Some(both) if both <= room => 2,
-            _ => words.len().min(1),
-        };
-        let (row, rest) = words.split_at(count);
+/// Between choices in a row.
+const APART: f32 = 12.0;
+
+/// Choices by their numbers and words, two in a row where both have room; the one that is clicked.
+pub(super) fn choices(
+    ui: &mut Ui,
+    chosen: Option<f64>,
+    mut words: &[(f64, &'static str)],
+    hint: &str,
+) -> Option<f64> {
+    let mut clicked = None;
+    while !words.is_empty() {
+        let widths = words.iter().take(2).map(|(_, word)| choice_width(ui, word));
+        let together = words.len() > 1 && widths.sum::<f32>() + APART <= ui.available_width();
+        let (row, rest) = words.split_at(if together { 2 } else { 1 });
+        ui.horizontal(|ui| {
+            ui.spacing_mut().item_spacing.x = APART;
+            for &(number, word) in row {
+                let choice = choice(ui, chosen == Some(number), word);
+                if choice.on_hover_text(hint).clicked() {
+                    clicked = Some(number);
+                }
+            }
+        });
         words = rest;
-        (count > 0).then_some(row)
-    })
+    }
+    clicked
+}
+
+fn choice_width(ui: &Ui, word: &str) -> f32 {
+    let spacing = ui.spacing();
+    let font = egui::TextStyle::Button.resolve(ui.style());
+    let text = (ui.painter()).layout_no_wrap(word.to_owned(), font, Color32::PLACEHOLDER);
+    spacing.icon_width + spacing.icon_spacing + text.size().x
 }
 
 /// A box or a circle with its text: empty, or filled with the accent.

@@ -184,16 +184,9 @@ impl ToolWindow {
                     ui.label(label).on_hover_text(hint);
                     let words = names.iter().map(|name| language.choice(name));
                     let words: Vec<_> = (0_u32..).map(f64::from).zip(words).collect();
-                    for row in theme::side_by_side(ui, &words) {
-                        ui.horizontal(|ui| {
-                            for &(at, word) in row {
-                                let chosen = self.numbers.get(start) == Some(&at);
-                                let choice = theme::choice(ui, chosen, word);
-                                if choice.on_hover_text(hint).clicked() {
-                                    self.set(start, at);
-                                }
-                            }
-                        });
+                    let chosen = self.numbers.get(start).copied();
+                    if let Some(chosen) = theme::choices(ui, chosen, &words, hint) {
+                        self.set(start, chosen);
                     }
                 }
                 Unit::Lattice => {
