@@ -157,7 +157,7 @@
 #define V_UP_Z 2
 
 
-/* ---- What properties are, see v_property() ----------------------------------- */
+/* ---- What properties are, see v_property_info() ------------------------------ */
 
 /**
  * V_PROPERTY_NUMBER   v_path_set_number(), v_scene_set_number()
@@ -325,7 +325,8 @@ struct interpolparameter {
     int number;
 };
 
-typedef struct interpolparameter V_KAMERAPAR;
+typedef struct interpolparameter interpolparameter;
+typedef interpolparameter V_KAMERAPAR;
 
 /** One point of the wireframe object that v_haupt() shows. */
 struct v_objekt_list {
@@ -1126,9 +1127,9 @@ int v_path_get_up(const V_PATH *path,
  * v_property_count() returns their number.
  * V_ERR_RANGE, V_ERR_SIZE.
  */
-int v_property(int at, V_PROPERTY *property);
+int v_property_info(int at, V_PROPERTY *property);
 
-/** Gets the number of properties that v_property() knows. */
+/** Gets the number of properties that v_property_info() knows. */
 int v_property_count(int *count);
 
 /**
@@ -1147,7 +1148,7 @@ const char *v_path_key(int point,
  * name  a key of .vid files, points and orientations counted from 1: "fps",
  *     "point.2.zoom" (of its first orientation), "point.2.view.3.zoom", or a limit of
  *     v_path_check(), "check.turning". The unit at its end may be missing.
- *     docs/reference/files.md lists them, v_property() too; v_path_key() makes names of
+ *     docs/reference/files.md lists them, v_property_info() too; v_path_key() makes names of
  *     indices
  * value  of a limit, INFINITY disables the check
  *

@@ -58,6 +58,11 @@ fn polished(made: &str) -> String {
         .replace("struct v_path;\n\n", "")
         .replace("struct v_editor;\n\n", "")
         .replace("struct v_scene;\n\n", "")
+        // The thesis names the type without "struct", as C++ allows it.
+        .replace(
+            "typedef struct interpolparameter V_KAMERAPAR;",
+            "typedef struct interpolparameter interpolparameter;\ntypedef interpolparameter V_KAMERAPAR;",
+        )
         // Constants that share a comment stand together.
         .replace("\n\n#define V_", "\n#define V_")
         .replace("\n\n\n", "\n\n");

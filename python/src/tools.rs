@@ -3,10 +3,9 @@
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use vides::deform::Bounds;
-use vides::document::tool::{Needs, Tool, ToolInput, tools as all_tools};
+use vides::document::tool::{Needs, Tool, ToolInput, moved, tools as all_tools};
 use vides::document::{self, Info};
-use vides::path::{CameraPath, Space, Up};
+use vides::path::{CameraPath, Space};
 use vides::tools::moves::Move;
 use vides::tools::{Parameter, Unit};
 
@@ -185,42 +184,14 @@ pub(crate) fn made(
             Some(document) => document.into_parts(),
             None => (CameraPath::try_new()?, Info::default()),
         };
-        moved(
-            Move::named(name)?,
-            &given,
-            path.space,
-            up,
-            Info { fps, ..info },
-        )
+        let chosen = Move::named(name)?;
+        let space = Space {
+            up: up.unwrap_or(path.space.up),
+            ..path.space
+        };
+        moved(chosen, space, &Info { fps, ..info }, true, |numbers| {
+            put(numbers, chosen.parameters.iter(), &given)
+        })
     })?;
     Ok(made.into())
-}
-
-/// The move in a space, which grows if the path leaves it.
-fn moved(
-    chosen: &'static Move,
-    given: &Numbers,
-    space: Space,
-    up: Option<Up>,
-    info: Info,
-) -> Result<document::Document> {
-    let space = Space {
-        up: up.unwrap_or(space.up),
-        ..space
-    };
-    // Moves use the frame rate: check it first.
-    info.check(space)?;
-    let places: Vec<_> = info.object.iter().map(|point| point.position).collect();
-    let bounds = (!places.is_empty()).then(|| Bounds::of(&places));
-    let mut numbers = chosen.defaults(bounds.as_ref(), space)?;
-    put(&mut numbers, chosen.parameters.iter(), given)?;
-    let make = |space| {
-        let path = chosen.path(&numbers, space, info.fps)?;
-        Ok::<_, Failure>(document::Document::from_parts(path, info.clone())?)
-    };
-    let made = make(space)?;
-    match made.points_outside() > 0 {
-        true => make(made.space_around_all()?),
-        false => Ok(made),
-    }
 }

@@ -4,9 +4,8 @@ use std::path::PathBuf;
 
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use vides::deform::Bounds;
-use vides::document::tool::Tool;
-use vides::document::{Document, Info};
+use vides::document::Info;
+use vides::document::tool::{Tool, moved};
 use vides::path::{Space, Up};
 use vides::tools::Parameter;
 use vides::tools::moves::{MOVES, Move};
@@ -55,30 +54,18 @@ pub(super) fn run(call: &Call) -> Result<(), Failure> {
         fps: options.fps,
         ..Info::default()
     };
-    let mut bounds = None;
     if let Some(file) = &options.object {
         let (path, of_file) = input::around(file)?.into_parts();
         space = path.space;
         (info.unit, info.object) = (of_file.unit, of_file.object);
-        let places: Vec<_> = info.object.iter().map(|point| point.position).collect();
-        bounds = (!places.is_empty()).then(|| Bounds::of(&places));
     }
     space.up = options.up.unwrap_or(space.up);
-    // Moves use the frame rate: check it first.
-    info.check(space)?;
-    let mut numbers = chosen.defaults(bounds.as_ref(), space)?;
-    call.given.replace(&mut numbers, |name| {
-        Parameter::find(chosen.parameters, name).map(|(at, _)| at)
-    });
-    let make = |space| {
-        let path = chosen.path(&numbers, space, options.fps)?;
-        Ok::<_, Failure>(Document::from_parts(path, info.clone())?)
-    };
-    let mut document = make(space)?;
     // Only the space of a file was chosen by somebody.
-    let of_file = options.object.as_deref().is_some_and(input::is_path);
-    if !of_file && document.points_outside() > 0 {
-        document = make(document.space_around_all()?)?;
-    }
+    let grows = !options.object.as_deref().is_some_and(input::is_path);
+    let document = moved(chosen, space, &info, grows, |numbers| {
+        let place = |name: &str| Parameter::find(chosen.parameters, name).map(|(at, _)| at);
+        call.given.replace(numbers, place);
+        Ok::<_, Failure>(())
+    })?;
     call.output.write(&document)
 }

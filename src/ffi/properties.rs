@@ -16,7 +16,7 @@ use crate::document::{self, Form, Given, properties};
 use crate::property::{Kind, Owner};
 use crate::tools::check::FindingKind;
 
-/// ==== What properties are, see v_property() ====
+/// ==== What properties are, see v_property_info() ====
 ///
 /// V_PROPERTY_NUMBER   v_path_set_number(), v_scene_set_number()
 /// V_PROPERTY_NUMBERS  v_path_set_numbers(), v_scene_set_numbers()
@@ -112,7 +112,7 @@ fn known() -> &'static [Known] {
 /// v_property_count() returns their number.
 /// V_ERR_RANGE, V_ERR_SIZE.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn v_property(at: c_int, property: *mut V_PROPERTY) -> c_int {
+pub unsafe extern "C" fn v_property_info(at: c_int, property: *mut V_PROPERTY) -> c_int {
     border(V_ERR_INTERNAL, || {
         // SAFETY: a struct as its size says, as the header demands.
         let out = unsafe { GrowingOut::new(property, "property") }?;
@@ -136,7 +136,7 @@ pub unsafe extern "C" fn v_property(at: c_int, property: *mut V_PROPERTY) -> c_i
     })
 }
 
-/// Gets the number of properties that v_property() knows.
+/// Gets the number of properties that v_property_info() knows.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_property_count(count: *mut c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -241,7 +241,7 @@ pub unsafe extern "C" fn v_path_key(
 /// name  a key of .vid files, points and orientations counted from 1: "fps",
 ///     "point.2.zoom" (of its first orientation), "point.2.view.3.zoom", or a limit of
 ///     v_path_check(), "check.turning". The unit at its end may be missing.
-///     docs/reference/files.md lists them, v_property() too; v_path_key() makes names of
+///     docs/reference/files.md lists them, v_property_info() too; v_path_key() makes names of
 ///     indices
 /// value  of a limit, INFINITY disables the check
 ///

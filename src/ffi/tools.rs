@@ -13,6 +13,7 @@ use super::scene_tracks::{bounds, deformation};
 use super::space::optional_space;
 use super::status::{Answer, Failure, Name, V_ERR_INTERNAL};
 use super::types::{V_PATH, V_SPACE};
+use crate::document::tool::moved;
 use crate::document::{Document, Edit, Info};
 use crate::error::{OutOfRange, can_allocate, vec_with_room};
 use crate::path::CameraPath;
@@ -113,17 +114,18 @@ pub unsafe extern "C" fn v_path_from_move_in_space(
         let found = Move::named(unsafe { text(r#move, "move") }?)?;
         // SAFETY: a space, as the header says.
         let space = unsafe { optional_space(space) }?.unwrap_or_default();
-        let mut numbers = found.defaults(None, space)?;
-        if count > 0 {
-            let most = numbers.len();
-            let Some(numbers) = numbers.get_mut(..count) else {
-                return Err(OutOfRange::NumbersGiven { given: count, most }.into());
-            };
-            // SAFETY: that many doubles, as the header says.
-            numbers.copy_from_slice(unsafe { slice(parameters, count, "parameters") }?);
-        }
-        let fps = Info::default().fps;
-        let made = insert_new(found.path(&numbers, space, fps)?, fps)?;
+        let put = |numbers: &mut [f64]| {
+            if count > 0 {
+                let most = numbers.len();
+                let Some(numbers) = numbers.get_mut(..count) else {
+                    return Err(OutOfRange::NumbersGiven { given: count, most }.into());
+                };
+                // SAFETY: that many doubles, as the header says.
+                numbers.copy_from_slice(unsafe { slice(parameters, count, "parameters") }?);
+            }
+            Ok::<_, Failure>(())
+        };
+        let made = insert(moved(found, space, &Info::default(), false, put)?)?;
         // SAFETY: room for a handle, as the header says.
         unsafe { out.answer(made) }
     })

@@ -69,7 +69,7 @@ int main(void)
     struct v_objekt_list *one = NULL;
     V_OBJEKT_LIST *two = one;
     V_OBJEKT_LISTE *three = two;
-    struct interpolparameter *element = NULL;
+    interpolparameter *element = NULL; /* as the thesis writes it, in C as in C++ */
     V_KAMERAPAR *also = element;
 
     CHECK(same->x == 1 && three == NULL && also == NULL);

@@ -217,7 +217,7 @@ static void all_that_is_known(void)
         const char *from, *end;
         char *to = name;
 
-        OK(v_property(at, &property));
+        OK(v_property_info(at, &property));
         CHECK(strlen(property.about) > 5 && property.least <= property.most);
         kinds[property.kind]++;
         for (from = property.name, end = from + strlen(from); from < end; from++)
@@ -236,10 +236,10 @@ static void all_that_is_known(void)
         }
     }
     CHECK(kinds[0] > 20 && kinds[1] > 10 && kinds[2] > 5 && kinds[3] > 2);
-    STATUS(V_ERR_RANGE, v_property(count, &property));
-    STATUS(V_ERR_RANGE, v_property(-1, &property));
+    STATUS(V_ERR_RANGE, v_property_info(count, &property));
+    STATUS(V_ERR_RANGE, v_property_info(-1, &property));
     property.size = 3;
-    STATUS(V_ERR_SIZE, v_property(0, &property));
+    STATUS(V_ERR_SIZE, v_property_info(0, &property));
     v_scene_free(scene);
     v_path_free(path);
 }

@@ -3,7 +3,7 @@
 #include "things.h"
 #include "scene_things.h"
 
-CALL(v_property)
+CALL(v_property_info)
 {
     V_PROPERTY property = {0};
 
@@ -12,7 +12,7 @@ CALL(v_property)
         frame->unfit = 1;
         property.size = below(100);
     }
-    return v_property(whole(0, 20), given("V_PROPERTY", &property, sizeof property));
+    return v_property_info(whole(0, 20), given("V_PROPERTY", &property, sizeof property));
 }
 
 CALL(v_property_count)

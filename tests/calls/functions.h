@@ -43,7 +43,7 @@
     F(v_path_set_orientation, STATUS, V_OK, 0) \
     F(v_path_get_orientation, STATUS, V_OK, 0) \
     F(v_path_set_absolute, STATUS, V_OK, 0) \
-    F(v_property, STATUS, V_OK, 0) \
+    F(v_property_info, STATUS, V_OK, 0) \
     F(v_property_count, STATUS, V_OK, 0) \
     F(v_path_key, NOTHING, V_OK, 0) \
     F(v_path_set_number, STATUS, V_OK, 0) \

@@ -223,7 +223,7 @@ fn what_cannot_be_is_refused() {
     }
 }
 
-/// The same in the types of programs; what is of another kind is refused by name.
+/// Lists of numbers, as a file has them.
 #[test]
 fn values_have_types() {
     let mut document = flight();
@@ -272,6 +272,12 @@ fn values_have_types() {
         document.undo();
         assert_eq!(document.to_toml().unwrap(), before, "{name}");
     }
+}
+
+/// One value each; a part of a property keeps the others.
+#[test]
+fn single_values_have_types() {
+    let mut document = flight();
     document
         .set_value("point.2.ahead", Given::Number(0.5))
         .unwrap();
@@ -312,6 +318,12 @@ fn values_have_types() {
         .set_value("check.turning", Given::Text(""))
         .unwrap();
     assert_eq!(document.number_of("check.turning").unwrap(), Some(60.0));
+}
+
+/// By the property's name, and nothing changes.
+#[test]
+fn values_of_another_type_are_refused() {
+    let mut document = flight();
     for (name, given, reason) in [
         (
             "point.2.zoom",

@@ -1,6 +1,7 @@
 //! The interactive tools, each with a table of its parameters, from which window and texts are
 //! built, and the edit it makes; the mathematics is in [`vides_engine::tools`].
 
+mod moved;
 mod options;
 mod table;
 
@@ -30,6 +31,7 @@ use super::editing::Document;
 use crate::cage;
 pub use crate::cage::Cage;
 use crate::error::{EngineError, Error, Invalid, OutOfRange, Result};
+pub use moved::moved;
 use table::{ABOUT, AXIS, FIRST, LAST, PUT, SEEN, TOOLS};
 use vides_engine::path::fit_frames::frames_of;
 use vides_engine::path::{CameraPath, Pose, Space, Target, Up};
