@@ -400,7 +400,7 @@ complete -c vides -n "__fish_vides_using_subcommand check" -l fix -d 'Applies fi
 complete -c vides -n "__fish_vides_using_subcommand check" -l json -d 'Prints the findings and notes as a JSON array'
 complete -c vides -n "__fish_vides_using_subcommand check" -l trust -d 'Also reads meshes and buffers that an input file names outside its folder'
 complete -c vides -n "__fish_vides_using_subcommand check" -s h -l help -d 'Print help'
-complete -c vides -n "__fish_vides_using_subcommand plot" -s o -l output -d 'The output file, .svg or .png; - is standard output, as SVG' -r -F
+complete -c vides -n "__fish_vides_using_subcommand plot" -s o -l output -d 'The output file, .svg or .png; - is standard output, as SVG, which is also where it goes without this option, but not onto a terminal' -r -F
 complete -c vides -n "__fish_vides_using_subcommand plot" -l object -d 'Replaces the path\'s object: a mesh (.obj, .ply, .stl, .gltf, .glb) or the object of a .vid file' -r -F
 complete -c vides -n "__fish_vides_using_subcommand plot" -l dark -d 'Uses a dark background'
 complete -c vides -n "__fish_vides_using_subcommand plot" -l trust -d 'Also reads meshes and buffers that an input file names outside its folder'
