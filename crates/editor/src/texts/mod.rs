@@ -154,7 +154,7 @@ macro_rules! texts {
             #[cfg(test)]
             pub(super) const NAMES: &'static [&'static str] = &[$(stringify!($name)),*];
 
-            pub(super) fn of(catalogue: &super::Catalogue, part: &str) -> Self {
+            pub(super) fn of(catalogue: &$crate::texts::catalogue::Catalogue, part: &str) -> Self {
                 let [$($name),*] = catalogue.texts(part, [$(stringify!($name)),*]);
                 Self { $($name),* }
             }
