@@ -166,7 +166,7 @@ pub(super) unsafe fn value_text<'a>(value: *const c_char) -> Answer<Given<'a>> {
 /// Numbers for a property from the host, or NULL.
 ///
 /// # Safety
-/// As for [`slice`].
+/// As for [`slice()`].
 pub(super) unsafe fn value_numbers<'a>(values: *const f64, count: usize) -> Answer<Given<'a>> {
     match count {
         0 => Ok(Given::Numbers(&[])),
