@@ -25,7 +25,7 @@ class Error(Exception):
     ...     path.points[1].zoom = 5000
     ... except ValueError as error:
     ...     print(error.kind, "-", error)
-    argument - zoom: zoom must lie between 1 and 2000
+    range - zoom: zoom must lie between 1 and 2000
     """
 
     kind: str

@@ -56,7 +56,7 @@ static int holds_a_path(const struct function *function)
 
     return strcmp(name, "v_editor_set_path") == 0 || strcmp(name, "v_editor_set_scene") == 0
            || (strncmp(name, "v_path_", 7) == 0 && strncmp(name, "v_path_new", 10) != 0
-               && strcmp(name, "v_path_free") != 0
+               && strcmp(name, "v_path_free") != 0 && strcmp(name, "v_path_key") != 0
                && strncmp(name, "v_path_from_move", 16) != 0
                && strncmp(name, "v_path_fit_poses", 16) != 0 && strcmp(name, "v_path_tour") != 0
                && strncmp(name, "v_path_load", 11) != 0);

@@ -6,15 +6,16 @@
 //! turned = {0} turned by {1}°
 //! ```
 
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 
-/// The texts of a language by part and name.
-pub(super) struct Catalogue(HashMap<(&'static str, &'static str), &'static str>);
+/// The texts of a language by part and name. They stay until the process ends; a hash map has no
+/// pointer to the beginning of its memory, which checkers of memory take for lost.
+pub(super) struct Catalogue(BTreeMap<(&'static str, &'static str), &'static str>);
 
 impl Catalogue {
     pub(super) fn new(file: &'static str) -> Self {
         let mut part = "";
-        let mut texts = HashMap::new();
+        let mut texts = BTreeMap::new();
         for line in file.lines().filter(|line| !line.starts_with('#')) {
             if let Some((name, text)) = line.split_once(" = ") {
                 let quoted = text

@@ -14,8 +14,8 @@ const LIGHT: f64 = 6e8;
 /// Rounds of weighing; what is missed after them is met exactly.
 const ROUNDS: usize = 30;
 
-/// Rounds after which a row that is missed by a little weighs at least twice as much: met exactly
-/// with its noise, it would draw the spline far away from its neighbours.
+/// In noise, rounds after which a row that is missed by a little weighs at least twice as much: met
+/// exactly with its noise, it would draw the spline far away from its neighbours.
 const PATIENT: usize = 15;
 
 /// Weights for noise are at most so many times heavier, and are halved so many times into the
@@ -115,7 +115,8 @@ impl<const N: usize> Spline<N> {
             let length = (light * step).sqrt().sqrt().max(step);
             spline.bend_noise = 0.3 * noise * (step / length.powi(5)).sqrt();
         }
-        spline.weighed(rows, allowed, light, round)
+        let patient = if noise > 0.0 { PATIENT } else { ROUNDS };
+        spline.weighed(rows, allowed, light, patient, round)
     }
 
     /// Whether noise misses some row by more than `most`, as normal noise does where there are many.
@@ -185,15 +186,17 @@ impl<const N: usize> Spline<N> {
         light: f64,
         round: &mut dyn FnMut() -> Result<()>,
     ) -> Result<Self> {
-        Self::straight(times, rows)?.weighed(rows, allowed, light, round)
+        Self::straight(times, rows)?.weighed(rows, allowed, light, ROUNDS, round)
     }
 
-    /// All rows weigh as little, 1/`all`, until they are missed.
+    /// All rows weigh as little, 1/`all`, until they are missed; after `patient` rounds those that are
+    /// missed by a little weigh more, too.
     fn weighed(
         self,
         rows: &[[f64; N]],
         allowed: &[f64],
         all: f64,
+        patient: usize,
         round: &mut dyn FnMut() -> Result<()>,
     ) -> Result<Self> {
         let mut spline = self;
@@ -211,7 +214,7 @@ impl<const N: usize> Spline<N> {
             round()?;
             spline.solve(rows, &light)?;
             factors.clear();
-            let least = if number < PATIENT { 1.0 } else { 2.0 };
+            let least = if number < patient { 1.0 } else { 2.0 };
             let missed = rows.iter().zip(&spline.values).zip(allowed);
             factors.extend(missed.map(|((row, value), allowed)| {
                 let off = apart(row, value);
