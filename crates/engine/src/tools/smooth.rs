@@ -97,12 +97,13 @@ fn apart<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
 impl<const N: usize> Spline<N> {
     /// Near all rows: `allowed` is how far each may be missed: 0 not at all, an
     /// infinite one does not count. No smoother than that its residual is the noise, if that is
-    /// not 0. `round` is called before each solution.
+    /// not 0; rows that are `is_noisy` are not met exactly. `round` is called before each solution.
     pub(crate) fn near(
         times: &[f64],
         rows: &[[f64; N]],
         allowed: &[f64],
         noise: f64,
+        is_noisy: bool,
         round: &mut dyn FnMut() -> Result<()>,
     ) -> Result<Self> {
         let mut spline = Self::straight(times, rows)?;
@@ -115,7 +116,7 @@ impl<const N: usize> Spline<N> {
             let length = (light * step).sqrt().sqrt().max(step);
             spline.bend_noise = 0.3 * noise * (step / length.powi(5)).sqrt();
         }
-        let patient = if noise > 0.0 { PATIENT } else { ROUNDS };
+        let patient = if is_noisy { PATIENT } else { ROUNDS };
         spline.weighed(rows, allowed, light, patient, round)
     }
 
@@ -482,7 +483,7 @@ mod tests {
             .collect();
         let mut allowed = [0.006; 500];
         (allowed[0], allowed[499]) = (0.0, 0.0);
-        let spline = Spline::near(&times, &rows, &allowed, 0.0, &mut || Ok(())).unwrap();
+        let spline = Spline::near(&times, &rows, &allowed, 0.0, false, &mut || Ok(())).unwrap();
         for (k, row) in rows.iter().enumerate() {
             assert!(
                 (spline.value(k)[0] - row[0]).abs() <= 1.1 * allowed[k] + 1e-12,

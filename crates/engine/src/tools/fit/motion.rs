@@ -185,6 +185,8 @@ struct Noise {
     /// The same if it misses some rows by more than [`DEVIATIONS`], else 0: then the splines must not
     /// turn to these.
     unbounded: f64,
+    /// Whether the splines have not room enough for it anyway.
+    counts: bool,
 }
 
 impl Noise {
@@ -203,6 +205,7 @@ impl Noise {
         Ok(Self {
             deviation,
             unbounded: if unbounded { deviation } else { 0.0 },
+            counts,
         })
     }
 }
@@ -423,12 +426,12 @@ impl Data {
         }
         let now = Noise::of(times, &places, self.tolerance, exact, round)?;
         allowed.extend(all.clone().map(|k| share(now, self.tolerance, k, stands)));
-        let place = Spline::near(times, &places, &allowed, now.unbounded, round)?;
+        let place = Spline::near(times, &places, &allowed, now.unbounded, now.counts, round)?;
         allowed.clear();
         // On S³ an angle counts half.
         let now = Noise::of(times, &turns, 0.5 * self.angle, exact, round)?;
         allowed.extend(all.clone().map(|k| share(now, 0.5 * self.angle, k, rests)));
-        let turn = Spline::near(times, &turns, &allowed, now.unbounded, round)?;
+        let turn = Spline::near(times, &turns, &allowed, now.unbounded, now.counts, round)?;
         let within = zoom_within(self.raw[first].zoom, self.angle);
         let now = Noise::of(times, &zooms, within, exact, round)?;
         allowed.clear();
@@ -436,7 +439,7 @@ impl Data {
             let within = zoom_within(self.raw[k].zoom, self.angle);
             share(now, within, k, rests)
         }));
-        let zoom = Spline::near(times, &zooms, &allowed, now.unbounded, round)?;
+        let zoom = Spline::near(times, &zooms, &allowed, now.unbounded, now.counts, round)?;
         Ok(Stretch {
             kind: *kind,
             first,

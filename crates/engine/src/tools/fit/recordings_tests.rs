@@ -471,6 +471,7 @@ fn gaps_are_crossed_as_a_clean_flight_crosses_them() {
                 &places,
                 &vec![0.0; places.len()],
                 0.0,
+                false,
                 &mut || Ok(()),
             )
             .unwrap();
