@@ -245,7 +245,6 @@ check-planning: all $(CARGO_TARGET_DIR)/planning/bin/python
 	    $(patsubst %,$(CARGO_TARGET_DIR)/planning/data/meshes/%.off,refined_elephant bunny00 armadillo \
 	    camel bull lion-head cow) nut.ply airplane.ply ant.ply
 	$(CARGO_TARGET_DIR)/planning/bin/python tests/planning/avoid.py $(RELEASE)/vides $(CARGO_TARGET_DIR)/planning/avoid
-	$(CARGO_TARGET_DIR)/planning/bin/python tests/planning/fit.py $(LIB)/libvides.so.1 $(CARGO_TARGET_DIR)/planning/fit 40
 
 # The window, from outside.
 check-x: all
@@ -312,13 +311,12 @@ check-packages: libs wheel
 	VIDES_FORMATS=$(abspath $(FORMATS)) \
 	    python/tests/run.sh $(WHEELS) $(CARGO_TARGET_DIR)/python $(LIB)/libvides.so.1 large
 
-bench: libs $(CARGO_TARGET_DIR)/planning/bin/python
+bench: libs
 	@mk/need.sh python3=python3 python3:ensurepip=python3-venv
 	python3 benches/table.py
 	python3 benches/scene.py
 	$(CARGO) test --locked --workspace --all-features --lib --tests timed_ -- \
 	    --test-threads=1 --nocapture
-	$(CARGO_TARGET_DIR)/planning/bin/python tests/planning/fit.py $(LIB)/libvides.so.1 $(CARGO_TARGET_DIR)/planning/fit
 
 soak: toolchain libs fuzz
 	@mk/need.sh python3=python3 Xvfb=xvfb xdotool=xdotool xclip=xclip setxkbmap=x11-xkb-utils \

@@ -418,9 +418,9 @@ fn a_sampled_film_becomes_a_path_again() {
     }
     let few = folder.join("few.vid");
     let few = few.to_str().unwrap();
-    let told = fit_report(&run(&["fit", poses, "--points", "10", "-o", few]));
+    let told = fit_report(&run(&["fit", poses, "--points", "6", "-o", few]));
     assert!(
-        told[0].contains(": 10 points for 724 poses at 25 frames per second; "),
+        told[0].contains(": 6 points for 724 poses at 25 frames per second; "),
         "{told:?}"
     );
     sentence(&run(&["fit", poses, "--points", "1"]), 1);
