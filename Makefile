@@ -229,13 +229,12 @@ check-calls: libs
 	$(ONCE)inject $(CARGO_TARGET_DIR)/inject include tests/calls -- \
 	    tests/calls/run.sh $(CARGO_TARGET_DIR)/inject inject hand_over
 
-$(CARGO_TARGET_DIR)/planning/bin/python:
-	python3 -m venv $(CARGO_TARGET_DIR)/planning
-	$(CARGO_TARGET_DIR)/planning/bin/pip -q install -r tests/planning/requirements
-
 # Planned flights, beside other libraries and against their distances and rays; not in `make test`.
-check-planning: all $(CARGO_TARGET_DIR)/planning/bin/python
+check-planning: all
 	@mk/need.sh python3=python3 node=nodejs npm=npm
+	[ -x $(CARGO_TARGET_DIR)/planning/bin/python ] || { \
+	    python3 -m venv $(CARGO_TARGET_DIR)/planning && \
+	    $(CARGO_TARGET_DIR)/planning/bin/pip -q install -r tests/planning/requirements; }
 	$(CARGO_TARGET_DIR)/planning/bin/python tests/planning/retime.py $(RELEASE)/vides $(CARGO_TARGET_DIR)/planning/paths
 	$(CARGO_TARGET_DIR)/planning/bin/python tests/planning/picture.py $(LIB)/libvides.so.1 $(CARGO_TARGET_DIR)/planning/meshes
 	$(CARGO_TARGET_DIR)/planning/bin/python tests/planning/steady.py $(RELEASE)/vides $(CARGO_TARGET_DIR)/planning/paths

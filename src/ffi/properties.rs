@@ -178,7 +178,7 @@ pub(super) unsafe fn value_numbers<'a>(values: *const f64, count: usize) -> Answ
 /// Writes numbers as the result of a call.
 ///
 /// # Safety
-/// There is room for so many numbers, and for their count.
+/// There is room for that many numbers, and for their count.
 pub(super) unsafe fn answer_numbers(out: ArrayOut<f64>, numbers: &[f64]) -> Answer<c_int> {
     // SAFETY: as required of the caller.
     unsafe {

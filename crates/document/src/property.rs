@@ -45,6 +45,16 @@ pub(super) enum Place<'a> {
     Node(usize, &'static str),
 }
 
+impl Place<'_> {
+    /// The finding of which it is a limit.
+    pub(super) const fn limit(&self) -> Option<FindingKind> {
+        match self {
+            Self::Limit(kind) => Some(*kind),
+            _ => None,
+        }
+    }
+}
+
 /// The key that is meant: itself, or that which has a unit besides.
 fn full(mut known: impl Iterator<Item = &'static str>, key: &str) -> Option<&'static str> {
     let units = ["_mm", "_degrees", "_frames"];

@@ -8,7 +8,7 @@ use crate::edit::{At, Edit};
 use crate::editing::Document;
 use crate::error::Result;
 use crate::info::Info;
-use crate::property::{Owners, Place, told};
+use crate::property::{Owners, told};
 use crate::scene::SceneDocument;
 use crate::set;
 use crate::typed::{self, Form, Given};
@@ -82,10 +82,7 @@ impl SceneDocument {
     pub fn set_value(&mut self, name: &str, given: Given<'_>) -> Result<()> {
         let owners = self.owners();
         let place = owners.place(name)?;
-        let limit = match place {
-            Place::Limit(kind) => Some(kind),
-            _ => None,
-        };
+        let limit = place.limit();
         let (at, property, mut value) = owners
             .read(place, given)
             .map_err(|error| told(name, error))?;
@@ -138,10 +135,7 @@ impl Document {
     pub fn set_value(&mut self, name: &str, given: Given<'_>) -> Result<()> {
         let owners = self.owners();
         let place = owners.place(name)?;
-        let limit = match place {
-            Place::Limit(kind) => Some(kind),
-            _ => None,
-        };
+        let limit = place.limit();
         let read = owners.read(place, given);
         let (at, property, value) = read.map_err(|error| told(name, error))?;
         let edit = match limit {

@@ -1,4 +1,4 @@
-//! A ready-made move as a document of its own.
+//! A ready-made move as a separate document.
 
 use vides_engine::deform::Bounds;
 use vides_engine::path::Space;

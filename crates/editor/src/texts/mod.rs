@@ -1,7 +1,7 @@
 //! Every word that the window shows, German and English.
 //!
-//! The texts stand in `texts/english.txt` and `texts/german.txt`, one a line; here are their names, one
-//! file for each panel and sub-window. `{0}`, `{1}` … stand for values; [`fill`] puts them in.
+//! The texts stand in `texts/english.txt` and `texts/german.txt`, one a line; here are their names, in a
+//! file for each panel that has code for them, all others in `names.rs`. `{0}`, `{1}` … stand for values; [`fill`] puts them in.
 //!
 //! The library's own sentences are English; `german` and `german_files` say which values go into
 //! those of its errors in another language.
@@ -14,37 +14,16 @@ use std::sync::OnceLock;
 mod ambiguities;
 mod catalogue;
 mod check;
-mod colours;
-mod compare;
 mod curve;
 mod display;
-mod errors;
-mod files;
-mod fit;
 pub(crate) mod formats;
 mod german;
 mod german_files;
-mod help;
-mod menu;
-mod menu_hints;
+mod names;
 mod node;
-mod orientation;
-mod output;
-mod points_list;
-mod position;
-mod questions;
-mod recovery;
 pub(crate) mod refusals;
-mod scene;
-mod setup;
-mod space;
-mod space_window;
-mod speed_window;
 mod steps;
-mod timeline;
-mod timing;
 mod tools;
-mod zoom;
 
 use catalogue::Catalogue;
 
@@ -145,7 +124,8 @@ impl Language {
 
 /// Declares the names of the texts of one part of the window.
 macro_rules! texts {
-    ($group:ident { $($name:ident,)* }) => {
+    ($(#[$about:meta])* $group:ident { $($name:ident,)* }) => {
+        $(#[$about])*
         pub(in crate) struct $group {
             $(pub(in crate) $name: &'static str,)*
         }
@@ -164,21 +144,21 @@ macro_rules! texts {
 use texts;
 
 macro_rules! parts {
-    ($($part:ident: $group:ident;)*) => {
+    ($($part:ident: $group:ident in $file:ident;)*) => {
         /// All texts in one language.
         pub(super) struct Texts {
-            $(pub(super) $part: $part::$group,)*
+            $(pub(super) $part: $file::$group,)*
         }
 
         impl Texts {
             fn of(catalogue: &Catalogue) -> Self {
-                Self { $($part: $part::$group::of(catalogue, stringify!($part)),)* }
+                Self { $($part: $file::$group::of(catalogue, stringify!($part)),)* }
             }
 
             /// The names of each part.
             #[cfg(test)]
             const NAMES: &'static [(&'static str, &'static [&'static str])] =
-                &[$((stringify!($part), $part::$group::NAMES)),*];
+                &[$((stringify!($part), $file::$group::NAMES)),*];
 
             /// Name, English and German of each; empty where a catalogue lacks it.
             #[cfg(test)]
@@ -196,34 +176,34 @@ macro_rules! parts {
 }
 
 parts! {
-    check: Check;
-    colours: Colours;
-    compare: Compare;
-    curve: Curve;
-    display: DisplayWindow;
-    errors: Errors;
-    files: Files;
-    fit: Fit;
-    help: Help;
-    menu: Menu;
-    menu_hints: MenuHints;
-    node: NodePanel;
-    orientation: Orientation;
-    output: Output;
-    points_list: PointsList;
-    position: Position;
-    questions: Questions;
-    recovery: Recovery;
-    scene: Scene;
-    setup: Setup;
-    space: Space;
-    space_window: SpaceWindow;
-    speed_window: SpeedWindow;
-    timing: Timing;
-    steps: Steps;
-    timeline: Timeline;
-    tools: Tools;
-    zoom: Zoom;
+    check: Check in check;
+    colours: Colours in names;
+    compare: Compare in names;
+    curve: Curve in curve;
+    display: DisplayWindow in display;
+    errors: Errors in names;
+    files: Files in names;
+    fit: Fit in names;
+    help: Help in names;
+    menu: Menu in names;
+    menu_hints: MenuHints in names;
+    node: NodePanel in node;
+    orientation: Orientation in names;
+    output: Output in names;
+    points_list: PointsList in names;
+    position: Position in names;
+    questions: Questions in names;
+    recovery: Recovery in names;
+    scene: Scene in names;
+    setup: Setup in names;
+    space: Space in names;
+    space_window: SpaceWindow in names;
+    speed_window: SpeedWindow in names;
+    timing: Timing in names;
+    steps: Steps in steps;
+    timeline: Timeline in names;
+    tools: Tools in tools;
+    zoom: Zoom in names;
 }
 
 /// A text with its values put in: `{0}` is the first. Placeholders without a value stay.

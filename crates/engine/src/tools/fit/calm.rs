@@ -16,13 +16,13 @@ use crate::tools::smooth::noise;
 /// How far from the mean they may be, in tolerances.
 const WITHIN: f64 = 0.95;
 
-/// Less noise than this, in tolerances, is none.
+/// Noise below this, in tolerances, is ignored.
 const LEAST: f64 = 1e-3;
 
 /// Fewest poses of an even motion.
 const FEWEST: f64 = 16.0;
 
-/// By how many deviations of what so many poses say of both their residual may exceed the noise.
+/// Deviations of its estimate by which a residual may exceed the noise.
 const CHANCE: f64 = 4.0;
 
 /// What turns farther from its middle, on S³, has no logarithm to rely on.

@@ -38,7 +38,7 @@ impl Piece {
 }
 
 impl Data {
-    /// Two equal points, as a path has at least two, or as many as so long a rest needs.
+    /// Two equal points, as a path has at least two, or as many as the length of the rest needs.
     pub(super) fn standing(&self, frames: f64) -> Result<CameraPath> {
         let start = self.calm[0];
         let mut points = vec_with_room(2)?;

@@ -12,7 +12,7 @@ use crate::error::{Result, vec_with_room};
 use crate::math::quaternion::{angle, exp, log};
 use crate::path::quaternion_spline::bezier;
 
-/// Step of the differences that give the change of the turning along the curve: so long that rounding
+/// Step of the differences that give the change of the turning along the curve: long enough that rounding
 /// is nothing beside what a few frames turn, and exact where the spin is a parabola of the way.
 const STEP: f64 = 1e-2;
 
