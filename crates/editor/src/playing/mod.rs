@@ -251,13 +251,16 @@ impl Editor {
         }
     }
 
-    /// Another rate, at which whatever happens keeps its second, the playhead too.
+    /// Another rate, at which whatever happens keeps its second, the playhead too; at the current
+    /// key it stays there, though keys lie on whole frames.
     pub(super) fn set_rate(&mut self, fps: f64) {
-        let at = self.position_on_bar();
+        let at = self.playing.frame;
         let ratio = fps / self.document.info().fps;
         match self.document.rate_edits(fps) {
             Ok(edits) => {
-                if self.edit_all(edits) {
+                if self.edit_all(edits)
+                    && let Some(at) = at
+                {
                     self.scrub(1.0 + (at - 1.0) * ratio);
                 }
             }

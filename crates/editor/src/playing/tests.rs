@@ -299,6 +299,28 @@ fn frame_and_second_are_typed_and_move_the_playhead() {
     }
 }
 
+/// Its second at another rate may lie between frames, and then its key beside it.
+#[test]
+fn the_playhead_stays_at_its_key_when_rate_and_duration_change() {
+    for key in 0..5 {
+        let mut harness = pyramid_window();
+        let there = |harness: &Harness<'_, Editor>| harness.state().playing.marks.keys[key].first();
+        let at = there(&harness);
+        harness.state_mut().scrub(at);
+        for (name, text) in [
+            ("Frames per second", "30"),
+            ("Duration", "12"),
+            ("Frames per second", "7"),
+        ] {
+            harness.run();
+            type_into(&mut harness, name, text);
+            let editor = harness.state();
+            assert_eq!(editor.position_on_bar(), there(&harness), "{name} {text}");
+            assert!(!editor.shown().unwrap().has_no_orientation());
+        }
+    }
+}
+
 #[test]
 fn a_number_of_the_bar_is_dragged_and_escape_takes_it_back() {
     let mut harness = pyramid_window();
