@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use vides::document::Info;
-use vides::document::tool::{Tool, moved};
+use vides::document::tool::moved;
 use vides::path::{Space, Up};
 use vides::tools::Parameter;
 use vides::tools::moves::{MOVES, Move};
@@ -36,14 +36,6 @@ pub(super) fn up() -> impl TypedValueParser<Value = Up> {
 
 fn named(name: &str) -> Option<&'static Move> {
     MOVES.iter().find(|known| known.name == name)
-}
-
-/// The parameters of a tool for the command: a move always makes a new path.
-pub(super) fn parameters(tool: &Tool) -> Box<dyn Iterator<Item = &'static Parameter>> {
-    match named(tool.name).filter(|_| tool.is_move()) {
-        Some(known) => Box::new(known.parameters.iter()),
-        None => Box::new(tool.parameters()),
-    }
 }
 
 pub(super) fn run(call: &Call) -> Result<(), Failure> {

@@ -217,6 +217,12 @@ impl Tool {
         self.tables.into_iter().flatten()
     }
 
+    /// Those of a tool that makes a path which is not put into another; else all.
+    pub fn own_parameters(&self) -> impl Iterator<Item = &'static Parameter> + use<> {
+        let shared = if self.can_add() { &[] } else { self.tables[1] };
+        self.tables[0].iter().chain(shared)
+    }
+
     /// Index of a parameter's first number among all its numbers.
     #[must_use]
     pub fn place_of(&self, name: &str) -> Option<usize> {
@@ -469,9 +475,14 @@ impl Tool {
                 ];
                 return Ok(Made::path(made.path, &numbers, Vec::new()));
             }
-            (Kind::Tour, _) => Edit::ReplacePath(Box::new(given.tour(progress)?)),
+            (Kind::Tour, _) => put(given.tour(progress)?),
             (Kind::Fit, ToolInput::Poses(poses, seconds, up)) => {
-                return given.fitted((poses, seconds.as_deref(), *up), progress);
+                let recorded = (&poses[..], seconds.as_deref(), *up);
+                let (path, result) = given.fitted(recorded, progress)?;
+                return Ok(Made {
+                    fit: Some(result),
+                    ..Some(put(path)).into()
+                });
             }
             (Kind::Insert | Kind::Blend | Kind::Fit | Kind::Draw, _) => return Ok(None.into()),
         };

@@ -121,7 +121,7 @@ impl<'a> ToolArguments<'a> {
         &self,
         (poses, seconds, up): (&[Pose], Option<&[f64]>, Up),
         progress: Progress<'_>,
-    ) -> Result<Made> {
+    ) -> Result<(CameraPath, FitResult)> {
         let tolerance = Tolerance {
             position: self.number("tolerance"),
             angle: self.number("angle"),
@@ -146,16 +146,13 @@ impl<'a> ToolArguments<'a> {
             deviations,
         } = made;
         path.base_frames = base_frames;
-        Ok(Made {
-            edit: Some(Edit::ReplacePath(Box::new(path))),
-            fit: Some(FitResult {
-                tolerance,
-                report,
-                deviations,
-                left_out,
-            }),
-            ..Made::from(None)
-        })
+        let result = FitResult {
+            tolerance,
+            report,
+            deviations,
+            left_out,
+        };
+        Ok((path, result))
     }
 
     pub(super) fn tour(&self, progress: Progress<'_>) -> Result<CameraPath> {

@@ -61,7 +61,7 @@ const fn placed(default: usize) -> Parameter {
     Parameter::choice("fit", "how it is placed there", all, default)
 }
 
-/// What a move has besides its own.
+/// What a tool that makes a path has besides its own.
 pub(super) const PUT: &[Parameter] = &[
     Parameter::choice(
         "put",
@@ -363,7 +363,7 @@ pub(super) const TOOLS: &[Tool] = &[
                     ..one("inside", "in the object's free space, not around it", 0.0)
                 },
             ],
-            &[],
+            PUT,
         ],
     },
     Tool {
@@ -403,7 +403,7 @@ pub(super) const TOOLS: &[Tool] = &[
                     )
                 },
             ],
-            &[],
+            PUT,
         ],
     },
 ];

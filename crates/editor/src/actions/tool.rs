@@ -32,7 +32,11 @@ impl Editor {
     /// Plays a tour that has just been made.
     fn play_tour(&mut self, context: &egui::Context) {
         let made = self.windows.tool.as_ref();
-        if made.is_some_and(ToolWindow::shows_tour) && !self.playing.is_playing() {
+        if let Some(from) = made.and_then(ToolWindow::plays_from)
+            && !self.playing.is_playing()
+        {
+            let frame = self.document.frame_of_scene(from);
+            self.stay_at(frame);
             self.play_or_pause(context);
         }
     }

@@ -89,12 +89,52 @@ fn a_path_begins_with_an_object() {
         name(&mut window, "shape.obj");
         let editor = window.state();
         let tool = editor.windows.tool.as_ref().expect("a tool");
-        assert!(tool.shows_tour(), "{:?}", said(&window));
+        assert!(tool.plays_from().is_some(), "{:?}", said(&window));
         press(&mut window, Modifiers::NONE, Key::Enter);
         let document = &window.state().document;
         assert!(document.path().points.len() > 2);
         assert_eq!(document.sampler().expect("poses").frame_count(), 60 * 25);
     }
+}
+
+/// A tour of what a film already shows comes after it, and is played from there.
+#[test]
+fn a_tour_comes_after_the_film() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let shape = "v -30 0 0\nv 30 0 0\nv 0 40 0\nv 0 10 30\nf 1 2 3\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    std::fs::write(folder.path().join("shape.obj"), shape).expect("written");
+    let mut window = window_in(Language::English, folder.path());
+    let texts = Language::English.texts();
+    click(
+        &mut window,
+        &fill(texts.space.begin_with, &[&texts.space.begin_open]),
+    );
+    name(&mut window, "shape.obj");
+    press(&mut window, Modifiers::ALT, Key::Insert);
+    let before = window.state().document.path().clone();
+    let frames = window
+        .state()
+        .document
+        .sampler()
+        .expect("poses")
+        .frame_count();
+    let context = window.ctx.clone();
+    let tour = vides_document::tool::tools().find(|tool| tool.name == "tour");
+    let open = crate::action::ToolAction::Open(tour.expect("a tour"));
+    window
+        .state_mut()
+        .act(crate::action::Action::Tool(open), &context);
+    window.step();
+    let editor = window.state();
+    let tool = editor.windows.tool.as_ref().expect("a tool");
+    let from = tool.plays_from().expect("a tour");
+    assert!(from > frames as f64, "{from} after {frames}");
+    assert!(editor.playing.is_playing() && editor.position_on_bar() >= from);
+    let points = &editor.document.path().points;
+    for (now, then) in points.iter().zip(&before.points) {
+        assert_eq!(now.position, then.position);
+    }
+    assert!(points.len() > before.points.len() + 2);
 }
 
 /// A space that somebody chose stays, and a path in which anything is done is no beginning.

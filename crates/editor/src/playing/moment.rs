@@ -3,10 +3,13 @@
 
 use egui::Context;
 
+use vides_document::Selection;
+
 use super::axis::Axis;
 use super::zoom;
 use crate::playing::axis::as_frame;
 use crate::state::Editor;
+use crate::state::playing::Mark;
 
 /// A part of a frame that is rounding.
 const HAIR: f64 = 1e-6;
@@ -100,6 +103,16 @@ impl Editor {
         let _ = self.playing.marks.update(&self.document);
         let (first, last) = self.playing.marks.range;
         self.playing.frame = Some(frame.clamp(first, last));
+    }
+
+    /// The frame of the path in which a point is reached.
+    pub(crate) fn frame_of_point(&mut self, point: usize) -> Option<f64> {
+        self.playing.marks.update(&self.document).ok()?;
+        let mark = self.playing.mark_of(Selection {
+            point,
+            orientation: 0,
+        });
+        mark.map(Mark::first)
     }
 
     /// Has the playhead at a frame, whatever is edited now, and goes on playing.

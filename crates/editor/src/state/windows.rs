@@ -198,6 +198,8 @@ pub(crate) struct ToolWindow {
     pub(crate) asked: Vec<f64>,
     /// What the tool makes beside the window.
     pub(crate) work: Option<Background<Made>>,
+    /// The frame of the path in which it begins, if it is put into the path.
+    pub(crate) from: Option<f64>,
     /// Where the playhead stood.
     pub(crate) stood: (Option<f64>, Selection),
 }

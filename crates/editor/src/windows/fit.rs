@@ -58,14 +58,15 @@ fn short(language: Language, value: f64) -> String {
 }
 
 impl FitShown {
-    pub(super) fn new(made: FitResult) -> Self {
+    /// Of a path that begins so many frames after the film does.
+    pub(super) fn new(made: FitResult, later: f64) -> Self {
         let all = made.deviations;
         let each = all.len().div_ceil(PLACES).max(1);
         let places = all.chunks(each).map(|poses| {
             let start = PoseDeviation {
                 position: 0.0,
                 angle: 0.0,
-                ..poses[0]
+                frame: poses[0].frame + later,
             };
             poses.iter().fold(start, |most, pose| PoseDeviation {
                 frame: most.frame,

@@ -123,6 +123,7 @@ fn a_tolerance_below_the_noise_offers_a_better_one() {
         let file = recorded(folder.path(), 0.01, &[]);
         let mut window = window_with_points(language, SMALL, scale, theme);
         imported(&mut window, &file);
+        click(&mut window, language.choice("replace"));
         enter(&mut window, language.parameter("tolerance"), "0.005");
         let before = report(&window);
         let (tolerance, points_then) = before.better.expect("a better tolerance");
@@ -181,4 +182,42 @@ fn a_click_into_the_deviation_moves_the_playhead() {
         (frame - (1.0 + 0.5 * 239.0 / 30.0 * 25.0)).abs() <= 2.0,
         "{frame}"
     );
+}
+
+/// Recorded poses come after the film that is there; its poses stay, and graphs count from them.
+#[test]
+fn recorded_poses_come_after_the_film() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = recorded(folder.path(), 0.0, &[]);
+    let mut window = window(Language::English);
+    imported(&mut window, &file);
+    let alone = window.state().document.path().clone();
+    let film = some_points();
+    let mut window = window_of(
+        Options {
+            document: some_points(),
+            ..options(Language::English)
+        },
+        LARGE,
+        1.0,
+        Theme::Dark,
+    );
+    imported(&mut window, &file);
+    let places = |path: &vides_engine::path::CameraPath| {
+        let all = path.points.iter().map(|point| point.position);
+        all.collect::<Vec<_>>()
+    };
+    let both = [places(film.path()), places(&alone)].concat();
+    assert_eq!(places(window.state().document.path()), both);
+    let frames = |document: &Document| document.sampler().expect("poses").frame_count() as f64;
+    let tool = window.state().windows.tool.as_ref().expect("a window");
+    let shown = tool.fit.as_ref().expect("a fit");
+    let [first, last] = [&shown.places[0], &shown.places[shown.places.len() - 1]];
+    assert!(first.frame > frames(&film), "{first:?} {}", frames(&film));
+    let all = frames(&window.state().document);
+    assert!((last.frame - all).abs() < 1.0, "{last:?} of {all}");
+    click(&mut window, Language::English.choice("replace"));
+    assert_eq!(places(window.state().document.path()), places(&alone));
+    press(&mut window, Modifiers::NONE, Key::Escape);
+    assert_eq!(window.state().document.path(), film.path());
 }

@@ -137,9 +137,10 @@ impl ToolWindow {
         }
     }
 
-    /// Whether a tour has been made, which begins to play.
-    pub(crate) fn shows_tour(&self) -> bool {
-        self.tool.makes_flight() && self.unapplied.is_some()
+    /// The frame from which a tour that has been made is played.
+    pub(crate) fn plays_from(&self) -> Option<f64> {
+        let made = self.tool.makes_flight() && self.unapplied.is_some();
+        made.then_some(self.from.unwrap_or(1.0))
     }
 
     /// The text that describes the size of the result.
@@ -472,6 +473,7 @@ impl Editor {
             written: None,
             fit: None,
             work: None,
+            from: None,
             stood: (self.playing.frame(), self.document.selection()),
         };
         if adds {
@@ -586,7 +588,13 @@ impl Editor {
         if window.unapplied.take().is_some() {
             self.document.cancel_step();
         }
-        let begins = self.begins();
+        // The point after which it comes, if it does not take the place of all.
+        let after = made.as_ref().ok().and_then(|made| match made.edit {
+            Some(Edit::InsertPath { at, .. }) => Some(at),
+            _ => None,
+        });
+        let recorded = window.tool.needs() == Needs::Poses;
+        let begins = self.begins() || recorded;
         let fixed = self.times_are_fixed();
         let language = self.language();
         let document = &mut self.document;
@@ -611,12 +619,20 @@ impl Editor {
             };
             if leaves {
                 let space = document.space_around_all()?;
-                document.apply(Edit::SetSpace { space, fit: false })?;
+                let grown = Edit::SetSpace { space, fit: false };
+                match fixed {
+                    true => document.apply_keeping_times(grown),
+                    false => document.apply(grown),
+                }?;
             }
             Ok((unapplied, made.fit))
         });
+        window.from = after.and_then(|at| self.frame_of_point(at + 1));
+        let document = &mut self.document;
+        let from = window.from.unwrap_or(1.0);
+        let fitted = |result| FitShown::new(result, from - 1.0);
         (window.unapplied, window.fit, window.trouble) = match shown {
-            Ok((unapplied, fit)) => (Some(unapplied), fit.map(FitShown::new), None),
+            Ok((unapplied, fit)) => (Some(unapplied), fit.map(fitted), None),
             Err(error) => {
                 document.cancel_step();
                 (None, None, Some(reason(language, &error)))

@@ -406,6 +406,7 @@ fn recorded_poses_become_a_path() {
     window.state_mut().file_chosen(Purpose::Import, &file);
     window.run();
     click(&mut window, Language::German.texts().questions.y_up);
+    click(&mut window, Language::German.choice("replace"));
     let fitted = poses(window.state());
     assert_eq!(fitted.len(), recorded.len());
     for (a, b) in fitted.iter().zip(&recorded) {
@@ -448,6 +449,7 @@ fn a_check_finds_nothing_in_a_tour() {
         info.object = Object::features_of(mesh.clone()).unwrap();
         window.state_mut().edit(Edit::SetInfo(Box::new(info)));
         pick(&mut window, "tour");
+        click(&mut window, language.choice("replace"));
         click(&mut window, "OK");
         assert_eq!(undo_name(&window), Some("tour"));
         assert_eq!(window.state().document.check(None).unwrap(), []);
