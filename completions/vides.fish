@@ -426,7 +426,7 @@ complete -c vides -n "__fish_vides_using_subcommand convert" -l fps -d 'Frames p
 complete -c vides -n "__fish_vides_using_subcommand convert" -l times -d 'frames: a pose for each frame; own: at the keys of the camera, for tum, euroc, osg, kitti and matrices [default: own where a list becomes a list, without --fps and --frames]' -r
 complete -c vides -n "__fish_vides_using_subcommand convert" -l start -d 'The time of the first pose in files of the formats tum, euroc and osg [default: that of a list that becomes a list, else 0]' -r
 complete -c vides -n "__fish_vides_using_subcommand convert" -l size -d 'Width and height of the picture in pixels [default: 1920x1080]' -r
-complete -c vides -n "__fish_vides_using_subcommand convert" -l up -d 'The axis that stands upright in the file [default: as the format says]' -r
+complete -c vides -n "__fish_vides_using_subcommand convert" -l up -d 'The up axis of the file [default: as the format says]' -r
 complete -c vides -n "__fish_vides_using_subcommand convert" -l scale -d 'Lengths in the file for one of the path\'s [default: 1]' -r
 complete -c vides -n "__fish_vides_using_subcommand convert" -l as -d 'What the camera\'s motion becomes: a path of few points (path) or keys (keys) [default: of a list of poses a path; keys stay keys]' -r
 complete -c vides -n "__fish_vides_using_subcommand convert" -l tolerance -d 'How far a fitted path may be from the positions [default: 1/1000 of the diagonal of their bounds]' -r
