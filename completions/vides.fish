@@ -81,12 +81,12 @@ complete -c vides -n "__fish_vides_using_subcommand tour" -l stills -d 'Only the
 complete -c vides -n "__fish_vides_using_subcommand tour" -l trust -d 'Also reads meshes and buffers that an input file names outside its folder'
 complete -c vides -n "__fish_vides_using_subcommand tour" -s h -l help -d 'Print help'
 complete -c vides -n "__fish_vides_using_subcommand orbit" -l around -d 'The place in the middle of the view [default: 0,0,0]' -r
-complete -c vides -n "__fish_vides_using_subcommand orbit" -l radius -d 'How far the way is from the axis; greater than 0 [default: 1]' -r
+complete -c vides -n "__fish_vides_using_subcommand orbit" -l radius -d 'Distance from the axis; greater than 0 [default: 1]' -r
 complete -c vides -n "__fish_vides_using_subcommand orbit" -l height -d 'How far above the target the camera is [default: 0.4]' -r
 complete -c vides -n "__fish_vides_using_subcommand orbit" -l from -d 'Heading at which the camera begins; -360000 to 360000 [default: 0]' -r
-complete -c vides -n "__fish_vides_using_subcommand orbit" -l turns -d 'How often round; negative: clockwise from above; -1000 to 1000 [default: 1]' -r
+complete -c vides -n "__fish_vides_using_subcommand orbit" -l turns -d 'Number of turns; negative: clockwise from above; -1000 to 1000 [default: 1]' -r
 complete -c vides -n "__fish_vides_using_subcommand orbit" -l zoom -d 'Focal length; 1 to 2000 [default: 24]' -r
-complete -c vides -n "__fish_vides_using_subcommand orbit" -l seconds -d 'How long it takes; 0: by its length; 0 to 1000000 [default: 10]' -r
+complete -c vides -n "__fish_vides_using_subcommand orbit" -l seconds -d 'Duration; 0: by its length; 0 to 1000000 [default: 10]' -r
 complete -c vides -n "__fish_vides_using_subcommand orbit" -l fps -d 'Frames per second' -r
 complete -c vides -n "__fish_vides_using_subcommand orbit" -l up -d 'The up axis [default: that of --object, else y]' -r -f -a "y\t''
 z\t''"
@@ -95,12 +95,12 @@ complete -c vides -n "__fish_vides_using_subcommand orbit" -s o -l output -d 'Th
 complete -c vides -n "__fish_vides_using_subcommand orbit" -l trust -d 'Also reads meshes and buffers that an input file names outside its folder'
 complete -c vides -n "__fish_vides_using_subcommand orbit" -s h -l help -d 'Print help'
 complete -c vides -n "__fish_vides_using_subcommand spiral" -l around -d 'The place in the middle of the view [default: 0,0,0]' -r
-complete -c vides -n "__fish_vides_using_subcommand spiral" -l radius -d 'How far the way is from the axis; greater than 0 [default: 1]' -r
+complete -c vides -n "__fish_vides_using_subcommand spiral" -l radius -d 'Distance from the axis; greater than 0 [default: 1]' -r
 complete -c vides -n "__fish_vides_using_subcommand spiral" -l height -d 'How far above the target the camera is [default: 0.4]' -r
 complete -c vides -n "__fish_vides_using_subcommand spiral" -l from -d 'Heading at which the camera begins; -360000 to 360000 [default: 0]' -r
-complete -c vides -n "__fish_vides_using_subcommand spiral" -l turns -d 'How often round; negative: clockwise from above; -1000 to 1000 [default: 1]' -r
+complete -c vides -n "__fish_vides_using_subcommand spiral" -l turns -d 'Number of turns; negative: clockwise from above; -1000 to 1000 [default: 1]' -r
 complete -c vides -n "__fish_vides_using_subcommand spiral" -l zoom -d 'Focal length; 1 to 2000 [default: 24]' -r
-complete -c vides -n "__fish_vides_using_subcommand spiral" -l seconds -d 'How long it takes; 0: by its length; 0 to 1000000 [default: 10]' -r
+complete -c vides -n "__fish_vides_using_subcommand spiral" -l seconds -d 'Duration; 0: by its length; 0 to 1000000 [default: 10]' -r
 complete -c vides -n "__fish_vides_using_subcommand spiral" -l end-radius -d 'The radius at the end; greater than 0 [default: 0.5]' -r
 complete -c vides -n "__fish_vides_using_subcommand spiral" -l end-height -d 'The height at the end [default: 1]' -r
 complete -c vides -n "__fish_vides_using_subcommand spiral" -l fps -d 'Frames per second' -r
@@ -111,12 +111,12 @@ complete -c vides -n "__fish_vides_using_subcommand spiral" -s o -l output -d 'T
 complete -c vides -n "__fish_vides_using_subcommand spiral" -l trust -d 'Also reads meshes and buffers that an input file names outside its folder'
 complete -c vides -n "__fish_vides_using_subcommand spiral" -s h -l help -d 'Print help'
 complete -c vides -n "__fish_vides_using_subcommand arc" -l around -d 'The place in the middle of the view [default: 0,0,0]' -r
-complete -c vides -n "__fish_vides_using_subcommand arc" -l radius -d 'How far the way is from the axis; greater than 0 [default: 1]' -r
+complete -c vides -n "__fish_vides_using_subcommand arc" -l radius -d 'Distance from the axis; greater than 0 [default: 1]' -r
 complete -c vides -n "__fish_vides_using_subcommand arc" -l height -d 'How far above the target the camera is [default: 0.4]' -r
 complete -c vides -n "__fish_vides_using_subcommand arc" -l from -d 'Heading at which the camera begins; -360000 to 360000 [default: -45]' -r
 complete -c vides -n "__fish_vides_using_subcommand arc" -l to -d 'Heading at which it ends; -360000 to 360000 [default: 45]' -r
 complete -c vides -n "__fish_vides_using_subcommand arc" -l zoom -d 'Focal length; 1 to 2000 [default: 24]' -r
-complete -c vides -n "__fish_vides_using_subcommand arc" -l seconds -d 'How long it takes; 0: by its length; 0 to 1000000 [default: 10]' -r
+complete -c vides -n "__fish_vides_using_subcommand arc" -l seconds -d 'Duration; 0: by its length; 0 to 1000000 [default: 10]' -r
 complete -c vides -n "__fish_vides_using_subcommand arc" -l fps -d 'Frames per second' -r
 complete -c vides -n "__fish_vides_using_subcommand arc" -l up -d 'The up axis [default: that of --object, else y]' -r -f -a "y\t''
 z\t''"
@@ -125,12 +125,12 @@ complete -c vides -n "__fish_vides_using_subcommand arc" -s o -l output -d 'The 
 complete -c vides -n "__fish_vides_using_subcommand arc" -l trust -d 'Also reads meshes and buffers that an input file names outside its folder'
 complete -c vides -n "__fish_vides_using_subcommand arc" -s h -l help -d 'Print help'
 complete -c vides -n "__fish_vides_using_subcommand flyby" -l around -d 'The place in the middle of the view [default: 0,0,0]' -r
-complete -c vides -n "__fish_vides_using_subcommand flyby" -l distance -d 'How near the way comes, seen from above; greater than 0 [default: 1]' -r
+complete -c vides -n "__fish_vides_using_subcommand flyby" -l distance -d 'Least distance, seen from above; greater than 0 [default: 1]' -r
 complete -c vides -n "__fish_vides_using_subcommand flyby" -l height -d 'How far above the target the camera is [default: 0.4]' -r
 complete -c vides -n "__fish_vides_using_subcommand flyby" -l from -d 'Heading of the camera when it is nearest; -360000 to 360000 [default: 0]' -r
-complete -c vides -n "__fish_vides_using_subcommand flyby" -l length -d 'How long the way is; greater than 0 [default: 2]' -r
+complete -c vides -n "__fish_vides_using_subcommand flyby" -l length -d 'Length of the path; greater than 0 [default: 2]' -r
 complete -c vides -n "__fish_vides_using_subcommand flyby" -l zoom -d 'Focal length; 1 to 2000 [default: 24]' -r
-complete -c vides -n "__fish_vides_using_subcommand flyby" -l seconds -d 'How long it takes; 0: by its length; 0 to 1000000 [default: 10]' -r
+complete -c vides -n "__fish_vides_using_subcommand flyby" -l seconds -d 'Duration; 0: by its length; 0 to 1000000 [default: 10]' -r
 complete -c vides -n "__fish_vides_using_subcommand flyby" -l fps -d 'Frames per second' -r
 complete -c vides -n "__fish_vides_using_subcommand flyby" -l up -d 'The up axis [default: that of --object, else y]' -r -f -a "y\t''
 z\t''"
@@ -144,7 +144,7 @@ complete -c vides -n "__fish_vides_using_subcommand approach" -l end-distance -d
 complete -c vides -n "__fish_vides_using_subcommand approach" -l from -d 'Heading at which the camera begins; -360000 to 360000 [default: 0]' -r
 complete -c vides -n "__fish_vides_using_subcommand approach" -l rise -d 'How steeply the camera is above the target; -89 to 89 [default: 15]' -r
 complete -c vides -n "__fish_vides_using_subcommand approach" -l zoom -d 'Focal length; 1 to 2000 [default: 24]' -r
-complete -c vides -n "__fish_vides_using_subcommand approach" -l seconds -d 'How long it takes; 0: by its length; 0 to 1000000 [default: 10]' -r
+complete -c vides -n "__fish_vides_using_subcommand approach" -l seconds -d 'Duration; 0: by its length; 0 to 1000000 [default: 10]' -r
 complete -c vides -n "__fish_vides_using_subcommand approach" -l fps -d 'Frames per second' -r
 complete -c vides -n "__fish_vides_using_subcommand approach" -l up -d 'The up axis [default: that of --object, else y]' -r -f -a "y\t''
 z\t''"
@@ -158,7 +158,7 @@ complete -c vides -n "__fish_vides_using_subcommand dolly-zoom" -l end-distance 
 complete -c vides -n "__fish_vides_using_subcommand dolly-zoom" -l from -d 'Heading at which the camera begins; -360000 to 360000 [default: 0]' -r
 complete -c vides -n "__fish_vides_using_subcommand dolly-zoom" -l rise -d 'How steeply the camera is above the target; -89 to 89 [default: 15]' -r
 complete -c vides -n "__fish_vides_using_subcommand dolly-zoom" -l zoom -d 'Focal length at the beginning; 1 to 2000 [default: 60]' -r
-complete -c vides -n "__fish_vides_using_subcommand dolly-zoom" -l seconds -d 'How long it takes; 0: by its length; 0 to 1000000 [default: 10]' -r
+complete -c vides -n "__fish_vides_using_subcommand dolly-zoom" -l seconds -d 'Duration; 0: by its length; 0 to 1000000 [default: 10]' -r
 complete -c vides -n "__fish_vides_using_subcommand dolly-zoom" -l fps -d 'Frames per second' -r
 complete -c vides -n "__fish_vides_using_subcommand dolly-zoom" -l up -d 'The up axis [default: that of --object, else y]' -r -f -a "y\t''
 z\t''"
@@ -167,12 +167,12 @@ complete -c vides -n "__fish_vides_using_subcommand dolly-zoom" -s o -l output -
 complete -c vides -n "__fish_vides_using_subcommand dolly-zoom" -l trust -d 'Also reads meshes and buffers that an input file names outside its folder'
 complete -c vides -n "__fish_vides_using_subcommand dolly-zoom" -s h -l help -d 'Print help'
 complete -c vides -n "__fish_vides_using_subcommand crane" -l around -d 'The place in the middle of the view [default: 0,0,0]' -r
-complete -c vides -n "__fish_vides_using_subcommand crane" -l radius -d 'How far the way is from the axis; greater than 0 [default: 1]' -r
+complete -c vides -n "__fish_vides_using_subcommand crane" -l radius -d 'Distance from the axis; greater than 0 [default: 1]' -r
 complete -c vides -n "__fish_vides_using_subcommand crane" -l height -d 'How far above the target it begins [default: -0.2]' -r
 complete -c vides -n "__fish_vides_using_subcommand crane" -l end-height -d 'How far above the target it ends [default: 1]' -r
 complete -c vides -n "__fish_vides_using_subcommand crane" -l from -d 'Heading at which the camera begins; -360000 to 360000 [default: 0]' -r
 complete -c vides -n "__fish_vides_using_subcommand crane" -l zoom -d 'Focal length; 1 to 2000 [default: 24]' -r
-complete -c vides -n "__fish_vides_using_subcommand crane" -l seconds -d 'How long it takes; 0: by its length; 0 to 1000000 [default: 10]' -r
+complete -c vides -n "__fish_vides_using_subcommand crane" -l seconds -d 'Duration; 0: by its length; 0 to 1000000 [default: 10]' -r
 complete -c vides -n "__fish_vides_using_subcommand crane" -l fps -d 'Frames per second' -r
 complete -c vides -n "__fish_vides_using_subcommand crane" -l up -d 'The up axis [default: that of --object, else y]' -r -f -a "y\t''
 z\t''"
@@ -185,7 +185,7 @@ complete -c vides -n "__fish_vides_using_subcommand pan" -l from -d 'Heading of 
 complete -c vides -n "__fish_vides_using_subcommand pan" -l to -d 'Heading of the last view; -360000 to 360000 [default: 45]' -r
 complete -c vides -n "__fish_vides_using_subcommand pan" -l tilt -d 'How far it looks up; -89 to 89 [default: 0]' -r
 complete -c vides -n "__fish_vides_using_subcommand pan" -l zoom -d 'Focal length; 1 to 2000 [default: 24]' -r
-complete -c vides -n "__fish_vides_using_subcommand pan" -l seconds -d 'How long it takes; 0: by its length; 0 to 1000000 [default: 10]' -r
+complete -c vides -n "__fish_vides_using_subcommand pan" -l seconds -d 'Duration; 0: by its length; 0 to 1000000 [default: 10]' -r
 complete -c vides -n "__fish_vides_using_subcommand pan" -l fps -d 'Frames per second' -r
 complete -c vides -n "__fish_vides_using_subcommand pan" -l up -d 'The up axis [default: that of --object, else y]' -r -f -a "y\t''
 z\t''"
@@ -199,7 +199,7 @@ complete -c vides -n "__fish_vides_using_subcommand figure-eight" -l height -d '
 complete -c vides -n "__fish_vides_using_subcommand figure-eight" -l width -d 'How wide it is, twice as wide as deep; greater than 0 [default: 1.2]' -r
 complete -c vides -n "__fish_vides_using_subcommand figure-eight" -l from -d 'Heading at which the camera begins; -360000 to 360000 [default: 0]' -r
 complete -c vides -n "__fish_vides_using_subcommand figure-eight" -l zoom -d 'Focal length; 1 to 2000 [default: 24]' -r
-complete -c vides -n "__fish_vides_using_subcommand figure-eight" -l seconds -d 'How long it takes; 0: by its length; 0 to 1000000 [default: 10]' -r
+complete -c vides -n "__fish_vides_using_subcommand figure-eight" -l seconds -d 'Duration; 0: by its length; 0 to 1000000 [default: 10]' -r
 complete -c vides -n "__fish_vides_using_subcommand figure-eight" -l fps -d 'Frames per second' -r
 complete -c vides -n "__fish_vides_using_subcommand figure-eight" -l up -d 'The up axis [default: that of --object, else y]' -r -f -a "y\t''
 z\t''"
@@ -426,7 +426,7 @@ complete -c vides -n "__fish_vides_using_subcommand convert" -l fps -d 'Frames p
 complete -c vides -n "__fish_vides_using_subcommand convert" -l times -d 'frames: a pose for each frame; own: at the keys of the camera, for tum, euroc, osg, kitti and matrices [default: own where a list becomes a list, without --fps and --frames]' -r
 complete -c vides -n "__fish_vides_using_subcommand convert" -l start -d 'The time of the first pose in files of the formats tum, euroc and osg [default: that of a list that becomes a list, else 0]' -r
 complete -c vides -n "__fish_vides_using_subcommand convert" -l size -d 'Width and height of the picture in pixels [default: 1920x1080]' -r
-complete -c vides -n "__fish_vides_using_subcommand convert" -l up -d 'The axis that stands upright in the file [default: as the format says]' -r
+complete -c vides -n "__fish_vides_using_subcommand convert" -l up -d 'The up axis of the file [default: as the format says]' -r
 complete -c vides -n "__fish_vides_using_subcommand convert" -l scale -d 'Lengths in the file for one of the path\'s [default: 1]' -r
 complete -c vides -n "__fish_vides_using_subcommand convert" -l as -d 'What the camera\'s motion becomes: a path of few points (path) or keys (keys) [default: of a list of poses a path; keys stay keys]' -r
 complete -c vides -n "__fish_vides_using_subcommand convert" -l tolerance -d 'How far a fitted path may be from the positions [default: 1/1000 of the diagonal of their bounds]' -r

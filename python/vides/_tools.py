@@ -40,12 +40,12 @@ class Tools(Applied):
         """A new path on a circle round a target.
 
         - ``around`` (3,): the place in the middle of the view
-        - ``radius``: how far the way is from the axis, a length
+        - ``radius``: distance from the axis, a length
         - ``height``: how far above the target the camera is, a length
         - ``from_``: heading at which the camera begins, in degrees
-        - ``turns``: how often round; negative: clockwise from above
+        - ``turns``: number of turns; negative: clockwise from above
         - ``zoom``: focal length, in mm
-        - ``seconds``: how long it takes; 0: by its length, in seconds
+        - ``seconds``: duration; 0: by its length, in seconds
         - ``object``: what it goes round, from which lengths and middle are taken by default; else the
           space of a new path
         - ``up``: the up axis, by default the object's or ``"y"``
@@ -73,12 +73,12 @@ class Tools(Applied):
         """A new path round a target with another radius and height at the end.
 
         - ``around`` (3,): the place in the middle of the view
-        - ``radius``: how far the way is from the axis, a length
+        - ``radius``: distance from the axis, a length
         - ``height``: how far above the target the camera is, a length
         - ``from_``: heading at which the camera begins, in degrees
-        - ``turns``: how often round; negative: clockwise from above
+        - ``turns``: number of turns; negative: clockwise from above
         - ``zoom``: focal length, in mm
-        - ``seconds``: how long it takes; 0: by its length, in seconds
+        - ``seconds``: duration; 0: by its length, in seconds
         - ``end_radius``: the radius at the end, a length
         - ``end_height``: the height at the end, a length
         - ``object``: what it goes round, from which lengths and middle are taken by default; else the
@@ -106,12 +106,12 @@ class Tools(Applied):
         """A new path on a part of a circle, from one heading to another.
 
         - ``around`` (3,): the place in the middle of the view
-        - ``radius``: how far the way is from the axis, a length
+        - ``radius``: distance from the axis, a length
         - ``height``: how far above the target the camera is, a length
         - ``from_``: heading at which the camera begins, in degrees
         - ``to``: heading at which it ends, in degrees
         - ``zoom``: focal length, in mm
-        - ``seconds``: how long it takes; 0: by its length, in seconds
+        - ``seconds``: duration; 0: by its length, in seconds
         - ``object``: what it goes round, from which lengths and middle are taken by default; else the
           space of a new path
         - ``up``: the up axis, by default the object's or ``"y"``
@@ -137,12 +137,12 @@ class Tools(Applied):
         """A new path straight past a target that stays in view.
 
         - ``around`` (3,): the place in the middle of the view
-        - ``distance``: how near the way comes, seen from above, a length
+        - ``distance``: least distance, seen from above, a length
         - ``height``: how far above the target the camera is, a length
         - ``from_``: heading of the camera when it is nearest, in degrees
-        - ``length``: how long the way is, a length
+        - ``length``: length of the path, a length
         - ``zoom``: focal length, in mm
-        - ``seconds``: how long it takes; 0: by its length, in seconds
+        - ``seconds``: duration; 0: by its length, in seconds
         - ``object``: what it goes round, from which lengths and middle are taken by default; else the
           space of a new path
         - ``up``: the up axis, by default the object's or ``"y"``
@@ -173,7 +173,7 @@ class Tools(Applied):
         - ``from_``: heading at which the camera begins, in degrees
         - ``rise``: how steeply the camera is above the target, in degrees
         - ``zoom``: focal length, in mm
-        - ``seconds``: how long it takes; 0: by its length, in seconds
+        - ``seconds``: duration; 0: by its length, in seconds
         - ``object``: what it goes round, from which lengths and middle are taken by default; else the
           space of a new path
         - ``up``: the up axis, by default the object's or ``"y"``
@@ -204,7 +204,7 @@ class Tools(Applied):
         - ``from_``: heading at which the camera begins, in degrees
         - ``rise``: how steeply the camera is above the target, in degrees
         - ``zoom``: focal length at the beginning, in mm
-        - ``seconds``: how long it takes; 0: by its length, in seconds
+        - ``seconds``: duration; 0: by its length, in seconds
         - ``object``: what it goes round, from which lengths and middle are taken by default; else the
           space of a new path
         - ``up``: the up axis, by default the object's or ``"y"``
@@ -230,12 +230,12 @@ class Tools(Applied):
         """A new path straight up or down beside a target that stays in view.
 
         - ``around`` (3,): the place in the middle of the view
-        - ``radius``: how far the way is from the axis, a length
+        - ``radius``: distance from the axis, a length
         - ``height``: how far above the target it begins, a length
         - ``end_height``: how far above the target it ends, a length
         - ``from_``: heading at which the camera begins, in degrees
         - ``zoom``: focal length, in mm
-        - ``seconds``: how long it takes; 0: by its length, in seconds
+        - ``seconds``: duration; 0: by its length, in seconds
         - ``object``: what it goes round, from which lengths and middle are taken by default; else the
           space of a new path
         - ``up``: the up axis, by default the object's or ``"y"``
@@ -264,7 +264,7 @@ class Tools(Applied):
         - ``to``: heading of the last view, in degrees
         - ``tilt``: how far it looks up, in degrees
         - ``zoom``: focal length, in mm
-        - ``seconds``: how long it takes; 0: by its length, in seconds
+        - ``seconds``: duration; 0: by its length, in seconds
         - ``object``: what it goes round, from which lengths and middle are taken by default; else the
           space of a new path
         - ``up``: the up axis, by default the object's or ``"y"``
@@ -295,7 +295,7 @@ class Tools(Applied):
         - ``width``: how wide it is, twice as wide as deep, a length
         - ``from_``: heading at which the camera begins, in degrees
         - ``zoom``: focal length, in mm
-        - ``seconds``: how long it takes; 0: by its length, in seconds
+        - ``seconds``: duration; 0: by its length, in seconds
         - ``object``: what it goes round, from which lengths and middle are taken by default; else the
           space of a new path
         - ``up``: the up axis, by default the object's or ``"y"``

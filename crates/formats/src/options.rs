@@ -198,7 +198,7 @@ pub const OPTIONS: &[OptionRow] = &[
     OptionRow {
         name: "up",
         value: "AXIS",
-        help: "The axis that stands upright in the file [default: as the format says]",
+        help: "The up axis of the file [default: as the format says]",
         wanted: "y or z",
         set: |options, text| {
             options.up = Some(Up::named(text)?);

@@ -112,10 +112,10 @@ pub const MOVES: &[Move] = &[
         does: "straight past a target that stays in view",
         parameters: &[
             AROUND,
-            distance("distance", "how near the way comes, seen from above", 1.0),
+            distance("distance", "least distance, seen from above", 1.0),
             HEIGHT,
             degrees("from", "heading of the camera when it is nearest", 0.0),
-            distance("length", "how long the way is", 2.0),
+            distance("length", "length of the path", 2.0),
             ZOOM,
             SECONDS,
         ],

@@ -40,7 +40,7 @@ pub(super) const AROUND: Parameter = Parameter {
     ..length("around", "the place in the middle of the view", 0.0)
 };
 
-pub(super) const RADIUS: Parameter = distance("radius", "how far the way is from the axis", 1.0);
+pub(super) const RADIUS: Parameter = distance("radius", "distance from the axis", 1.0);
 
 pub(super) const HEIGHT: Parameter =
     length("height", "how far above the target the camera is", 0.4);
@@ -49,7 +49,7 @@ pub(super) const FROM: Parameter = degrees("from", "heading at which the camera 
 
 pub(super) const TURNS: Parameter = Parameter {
     name: "turns",
-    does: "how often round; negative: clockwise from above",
+    does: "number of turns; negative: clockwise from above",
     unit: Unit::One,
     width: 1,
     least: -1000.0,
@@ -69,7 +69,7 @@ pub(super) const ZOOM: Parameter = Parameter {
 
 pub(super) const SECONDS: Parameter = Parameter {
     name: "seconds",
-    does: "how long it takes; 0: by its length",
+    does: "duration; 0: by its length",
     unit: Unit::Seconds,
     width: 1,
     least: 0.0,
