@@ -17,9 +17,12 @@
  *
  * - Status. Functions that return int, except v_fd(), v_timeout() and v_dispatch(),
  *   return V_OK (0) or one of V_ERR_...; v_last_error() returns the reason. Any may
- *   return V_ERR_INTERNAL, with a pointer V_ERR_NULL, with a handle V_ERR_HANDLE, with
- *   a V_SCENE also V_ERR_BUSY, with a V_EDITOR also V_ERR_CLOSED. Each comment lists
- *   the others. A void function reports an error by v_last_error() only.
+ *   return V_ERR_MEMORY, V_ERR_LIMIT or V_ERR_INTERNAL; with a number or text
+ *   V_ERR_ARGUMENT or V_ERR_RANGE; with a pointer V_ERR_NULL or V_ERR_ARGUMENT; with a
+ *   capacity or a struct that begins with size V_ERR_SIZE; with a handle V_ERR_HANDLE,
+ *   with a V_SCENE also V_ERR_BUSY, with a V_EDITOR also V_ERR_CLOSED. Each comment
+ *   lists the others, and causes that are not obvious. A void function reports an error
+ *   by v_last_error() only.
  * - Results are written through pointers, and only on success.
  * - NULL fails with V_ERR_NULL, unless the comment allows it. Where a function gets
  *   several values, each result may be NULL.
@@ -435,19 +438,6 @@ struct v_mesh {
 
 typedef struct v_mesh V_MESH;
 
-/** The space of a path: a cube in your world, see v_path_set_space(). */
-struct v_space {
-    size_t size;
-    /** its centre */
-    double centre[3];
-    /** half the length of its edge, 1e-30 to 1e30 */
-    double half_size;
-    /** V_UP_Y or V_UP_Z */
-    int up;
-};
-
-typedef struct v_space V_SPACE;
-
 /** A camera pose. This layout will never change. */
 struct v_pose {
     /** position of the camera */
@@ -464,6 +454,18 @@ struct v_pose {
 };
 
 typedef struct v_pose V_POSE;
+
+
+/* ---- Scenes ------------------------------------------------------------------ */
+
+/**
+ * A handle for a scene (see V_PATH): a tree of nodes that move on one timeline.
+ *
+ * Inside a function given to v_register_interpolation(), functions that take a V_SCENE
+ * fail with V_ERR_BUSY, except v_scene_free(). A text that they return is valid until
+ * the same thread's next call that returns one.
+ */
+typedef struct v_scene V_SCENE;
 
 /** The motion of a camera at a frame. */
 struct v_motion {
@@ -522,18 +524,6 @@ struct v_node {
 
 typedef struct v_node V_NODE;
 
-
-/* ---- Scenes ------------------------------------------------------------------ */
-
-/**
- * A handle for a scene (see V_PATH): a tree of nodes that move on one timeline.
- *
- * Inside a function given to v_register_interpolation(), functions that take a V_SCENE
- * fail with V_ERR_BUSY, except v_scene_free(). A text that they return is valid until
- * the same thread's next call that returns one.
- */
-typedef struct v_scene V_SCENE;
-
 /**
  * Computes the value of a channel at a frame between its first and last key, from the
  * frames and the values of the keys, width numbers each. It writes width numbers to
@@ -585,27 +575,6 @@ struct v_finding {
 };
 
 typedef struct v_finding V_FINDING;
-
-/** Options of v_path_tour(). */
-struct v_tour {
-    size_t size;
-    /** duration of the flight, > 0 */
-    double seconds;
-    /** fraction, by area, of the visible surface to show: > 0, at most 1 */
-    double coverage;
-    /** of the camera from what it shows; 0: chosen by VIDES */
-    double distance;
-    /** not 0: in the free space inside the object, not around it */
-    int inside;
-    /** not 0: begins at start; 0: a closed tour */
-    int has_start;
-    /** where it begins */
-    double start[3];
-    /** V_UP_Y or V_UP_Z */
-    int up;
-};
-
-typedef struct v_tour V_TOUR;
 
 
 /* ---- Editor windows ---------------------------------------------------------- */
@@ -911,7 +880,7 @@ int v_main_loop(void);
 /**
  * Lets an XtAppContext run by this thread serve its windows. Needed only for one
  * created after a window was opened, since opening a window finds all that exist.
- * V_ERR_ARGUMENT (no Xt, or no such context), V_ERR_LIMIT.
+ * V_ERR_ARGUMENT (no Xt, or no such context).
  */
 int v_set_app_context(void *app_context);
 
@@ -921,14 +890,10 @@ int v_set_app_context(void *app_context);
 /**
  * Makes a new path: two points at (-0.6, 0.2, 0.8) and (0.6, 0.2, 0.8), each with one
  * orientation of v_orientation_init().
- * V_ERR_MEMORY, V_ERR_LIMIT.
  */
 int v_path_new(V_PATH **path);
 
-/**
- * Makes an independent copy of a path.
- * V_ERR_MEMORY, V_ERR_LIMIT.
- */
+/** Makes an independent copy of a path. */
 int v_path_clone(const V_PATH *path, V_PATH **copy);
 
 /**
@@ -940,8 +905,7 @@ void v_path_free(V_PATH *path);
 /**
  * Reads a path from a .vid file; of a scene, the path of the camera shown: saving that
  * to the same file would lose the rest.
- * V_ERR_IO, V_ERR_FORMAT, V_ERR_ARGUMENT (no camera, or it follows no path),
- * V_ERR_MEMORY, V_ERR_LIMIT.
+ * V_ERR_IO, V_ERR_FORMAT, V_ERR_ARGUMENT (no camera, or it follows no path).
  */
 int v_path_load(const char *file,
                 V_PATH **path);
@@ -949,21 +913,18 @@ int v_path_load(const char *file,
 /**
  * Like v_path_load(), from the text of a .vid file: size bytes, which need not be
  * zero-terminated.
- * V_ERR_FORMAT, V_ERR_ARGUMENT, V_ERR_MEMORY, V_ERR_LIMIT.
+ * V_ERR_FORMAT.
  */
 int v_path_load_from_memory(const char *text, size_t size, V_PATH **path);
 
 /**
  * Saves a path to a .vid file, which is replaced atomically and is on the disk when
  * the call returns V_OK. Symbolic links are followed and permissions kept.
- * V_ERR_IO, V_ERR_MEMORY.
+ * V_ERR_IO.
  */
 int v_path_save(const V_PATH *path, const char *file);
 
-/**
- * Gets the text that v_path_save() would write.
- * V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY.
- */
+/** Gets the text that v_path_save() would write. */
 int v_path_save_to_memory(const V_PATH *path,
                           char *text,
                           size_t capacity,
@@ -982,7 +943,6 @@ int v_path_point_count(const V_PATH *path, int *count);
  * other properties from the point before it, or from the one after it if at is 0; an
  * absolute target equal to its position becomes relative. Coordinates are at most 1e9
  * times half_size from the centre of the space.
- * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_insert_point(V_PATH *path,
                         int at,
@@ -992,37 +952,15 @@ int v_path_insert_point(V_PATH *path,
  * Divides a segment with 1 to 10 points on its curve, at equal arc lengths. They copy
  * all other properties from the point before them, so the motion changes;
  * v_path_insert_on_curve() keeps it.
- * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_divide_segment(V_PATH *path,
                           int segment,
                           int points);
 
-/**
- * Removes a point. The last two cannot be removed.
- * V_ERR_RANGE.
- */
+/** Removes a point. The last two cannot be removed. */
 int v_path_remove_point(V_PATH *path, int at);
 
-/**
- * Moves a point, with its relative targets. Absolute ones stay in place and must not
- * equal the position. Coordinates as in v_path_insert_point().
- * V_ERR_ARGUMENT, V_ERR_RANGE.
- */
-int v_path_set_position(V_PATH *path,
-                        int at,
-                        const double xyz[3]);
-
-/**
- * Gets the position of a point.
- * V_ERR_RANGE.
- */
-int v_path_get_position(const V_PATH *path, int at, double xyz[3]);
-
-/**
- * Moves a point to another index; the points between shift by one.
- * V_ERR_RANGE, V_ERR_MEMORY.
- */
+/** Moves a point to another index; the points between shift by one. */
 int v_path_move_point(V_PATH *path, int from, int to);
 
 
@@ -1037,46 +975,36 @@ void v_orientation_init(V_ORIENTATION *o);
 /**
  * Gets the number of orientations of a point, 1 to 10. The camera arrives in the
  * first, turns from one to the next, and leaves in the last.
- * V_ERR_RANGE.
  */
 int v_path_orientation_count(const V_PATH *path, int point, int *count);
 
 /**
  * Inserts an orientation before index at; if at is their number, appends it. NULL
  * copies the one before it, or the first one if at is 0.
- * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_insert_orientation(V_PATH *path,
                               int point,
                               int at,
                               const V_ORIENTATION *o);
 
-/**
- * Removes an orientation. The only one of a point cannot be removed.
- * V_ERR_RANGE.
- */
+/** Removes an orientation. The only one of a point cannot be removed. */
 int v_path_remove_orientation(V_PATH *path, int point, int at);
 
 /**
  * Sets all values of an orientation. Settings that V_ORIENTATION does not have (ease,
  * distance curve, fixed frames, looking ahead, up) are unchanged.
- * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_SIZE.
  */
 int v_path_set_orientation(V_PATH *path,
                            int point,
                            int at,
                            const V_ORIENTATION *o);
 
-/**
- * Gets the values of an orientation.
- * V_ERR_RANGE, V_ERR_SIZE.
- */
+/** Gets the values of an orientation. */
 int v_path_get_orientation(const V_PATH *path, int point, int at, V_ORIENTATION *o);
 
 /**
  * Makes the target of an orientation absolute (not 0) or relative (0). The view does
  * not change.
- * V_ERR_RANGE.
  */
 int v_path_set_absolute(V_PATH *path,
                         int point,
@@ -1098,7 +1026,6 @@ int v_path_set_absolute(V_PATH *path,
  *     "y", "z"   this axis, whatever the space's up axis
  * Arguments that an up does not need may be NULL. A path has at most 10 different up
  * paths of at most 1000 points.
- * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_set_up(V_PATH *path,
                   int point,
@@ -1110,7 +1037,6 @@ int v_path_set_up(V_PATH *path,
 /**
  * Gets the up of an orientation (a constant text), the point of "point" or zeros, and
  * an open path with the curve of "path", which you free, or NULL.
- * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_get_up(const V_PATH *path,
                   int point,
@@ -1125,7 +1051,6 @@ int v_path_get_up(const V_PATH *path,
 /**
  * Gets what is known of a property, counted from 0, of paths, scenes and limits.
  * v_property_count() returns their number.
- * V_ERR_RANGE, V_ERR_SIZE.
  */
 int v_property_info(int at, V_PROPERTY *property);
 
@@ -1160,10 +1085,7 @@ int v_path_set_number(V_PATH *path,
                       const char *name,
                       double value);
 
-/**
- * Gets a number by its name; NaN if it is not set.
- * V_ERR_RANGE, V_ERR_ARGUMENT, V_ERR_MEMORY.
- */
+/** Gets a number by its name; NaN if it is not set. */
 int v_path_get_number(const V_PATH *path, const char *name, double *value);
 
 /**
@@ -1171,17 +1093,14 @@ int v_path_get_number(const V_PATH *path, const char *name, double *value);
  * (tension, continuity, bias), "base_speeds", "point.2.ease" (V_EASE_..., rise, fall,
  * cruise), "point.2.distance" (pairs of time and distance). With count 0 the property
  * is again that of a new path, or no longer set.
- * V_ERR_RANGE, V_ERR_ARGUMENT (also a wrong count), V_ERR_LIMIT, V_ERR_MEMORY.
+ * V_ERR_ARGUMENT (also a wrong count).
  */
 int v_path_set_numbers(V_PATH *path,
                        const char *name,
                        const double *values,
                        size_t count);
 
-/**
- * Gets several numbers by their name; none if they are not set.
- * V_ERR_RANGE, V_ERR_ARGUMENT, V_ERR_SIZE, V_ERR_MEMORY.
- */
+/** Gets several numbers by their name; none if they are not set. */
 int v_path_get_numbers(const V_PATH *path,
                        const char *name,
                        double *values,
@@ -1192,7 +1111,6 @@ int v_path_get_numbers(const V_PATH *path,
  * Sets a text by its name: "title", "point.2.name", or the name of a choice: "curve",
  * "orientation_mode". Other properties, too, from their text in a .vid file: "30",
  * "[0, 1, 2]"; for these "" restores the value of a new path.
- * V_ERR_RANGE, V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_set_text(V_PATH *path,
                     const char *name,
@@ -1201,7 +1119,6 @@ int v_path_set_text(V_PATH *path,
 /**
  * Gets a text or a choice by its name; another property as in a .vid file. "" if it is
  * not set.
- * V_ERR_RANGE, V_ERR_ARGUMENT, V_ERR_SIZE, V_ERR_MEMORY.
  */
 int v_path_get_text(const V_PATH *path,
                     const char *name,
@@ -1209,16 +1126,10 @@ int v_path_get_text(const V_PATH *path,
                     size_t capacity,
                     size_t *length);
 
-/**
- * Sets a flag by its name: not 0 or 0.
- * V_ERR_RANGE, V_ERR_ARGUMENT, V_ERR_MEMORY.
- */
+/** Sets a flag by its name: not 0 or 0. */
 int v_path_set_flag(V_PATH *path, const char *name, int value);
 
-/**
- * Gets a flag by its name: 1 or 0.
- * V_ERR_RANGE, V_ERR_ARGUMENT, V_ERR_MEMORY.
- */
+/** Gets a flag by its name: 1 or 0. */
 int v_path_get_flag(const V_PATH *path, const char *name, int *value);
 
 
@@ -1228,7 +1139,6 @@ int v_path_get_flag(const V_PATH *path, const char *name, int *value);
  * Sets the object shown with a path; NULL: none. The window draws its lines and the
  * edges of its triangles; beyond 1,000,000 points of lines, only points where they end
  * or bend. v_path_check() uses the triangles.
- * V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_set_object(V_PATH *path,
                       const V_MESH *object);
@@ -1236,50 +1146,27 @@ int v_path_set_object(V_PATH *path,
 /**
  * Gets the object shown with a path, 0 points without one. The arrays are valid until
  * the same thread's next call of this function or its end.
- * V_ERR_SIZE, V_ERR_MEMORY.
  */
 int v_path_get_object(const V_PATH *path,
                       V_MESH *mesh);
 
 
-/* ---- Where a path lies ------------------------------------------------------- */
+/* ---- Spaces ------------------------------------------------------------------ */
 
 /**
- * Sets the space of a path: a cube in your world; coordinates do not change.
+ * Makes a new path in a space, a cube in your world, placed as that of v_path_new() is in
+ * its own. half_size is half the length of its edge, up V_UP_Y or V_UP_Z.
  *
- * centre  (0, 0, 0) in a new path
- * half_size  half the length of its edge, 1e-30 to 1e30; 1 in a new path. Centre,
- *     points and targets are at most 1e9 times as far away
- * up  V_UP_Y, as in a new path, or V_UP_Z
- *
- * Positions, offsets, tangents and lengths of a path are in your world's units. Base
- * frames, limits (v_path_check()) and the distances below which nothing
- * moves count in units of half_size.
- * V_ERR_ARGUMENT, V_ERR_RANGE.
+ * The properties "space.centre", "space.half_size" and "space.up" change the space of a
+ * path or scene, not its coordinates. Positions, offsets, tangents and lengths are in your
+ * world's units. Base speeds, limits (v_path_check()) and the distances below which
+ * nothing moves count in units of half_size; nothing is farther than 1e9 of them from the
+ * centre. In a scene, "space.up" applies to nodes that aim at others; a path in it has its
+ * own space.
  */
-int v_path_set_space(V_PATH *path,
-                     const double centre[3],
-                     double half_size,
-                     int up);
-
-/** Gets the space. */
-int v_path_get_space(const V_PATH *path,
-                     double centre[3],
-                     double *half_size,
-                     int *up);
-
-/** Fills in a space: centre (0, 0, 0), half_size 1, V_UP_Y. */
-void v_space_init(V_SPACE *space);
-
-/** Like v_space_init(), for a struct of size bytes. */
-void v_space_init_sized(V_SPACE *space, size_t size);
-
-/**
- * Makes a new path in a space, placed as that of v_path_new() is in its own, as in a
- * new window with this space. NULL: like v_path_new().
- * V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY, V_ERR_LIMIT.
- */
-int v_path_new_in_space(const V_SPACE *space,
+int v_path_new_in_space(const double centre[3],
+                        double half_size,
+                        int up,
                         V_PATH **path);
 
 /**
@@ -1287,7 +1174,6 @@ int v_path_new_in_space(const V_SPACE *space,
  * frames too. Rolls are then measured from the new axis. Views that track a target or
  * look ahead get the old axis as their up, "y" or "z" (v_path_set_up()); one that
  * equals the new axis becomes "axis".
- * V_ERR_RANGE, V_ERR_MEMORY.
  */
 int v_path_change_up(V_PATH *path,
                      int up);
@@ -1297,7 +1183,6 @@ int v_path_change_up(V_PATH *path,
  * (V_UP_Y, V_UP_Z): sets a relative target, the pose's vpn, and roll and zoom.
  * Everything else in *orientation is unchanged: call v_orientation_init() before. vpn
  * and vup have any length but 0 and are not parallel.
- * V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE.
  */
 int v_orientation_from_pose(const V_POSE *pose,
                             int up,
@@ -1307,21 +1192,10 @@ int v_orientation_from_pose(const V_POSE *pose,
 /* ---- Tangents, points on the curve ------------------------------------------- */
 
 /**
- * Gives a point custom tangents: the derivatives with which the curve reaches it
- * (before) and leaves it (after), a segment counting 1; if both are NULL, those of the
- * curve's kind again. Coordinates as in v_path_insert_point().
- * V_ERR_ARGUMENT, V_ERR_RANGE.
- */
-int v_path_set_tangents(V_PATH *path,
-                        int at,
-                        const double before[3],
-                        const double after[3]);
-
-/**
  * Gets the tangents of the curve at a point, equal at an end of an open path, and
- * whether they are custom: 1 or 0. Setting them does not change the curve, except for
- * rounding in a cubic spline.
- * V_ERR_RANGE.
+ * whether they are custom: 1 or 0. The property "tangents" sets them (the derivatives with
+ * which the curve reaches and leaves the point, a segment counting 1), which does not
+ * change the curve, except for rounding in a cubic spline.
  */
 int v_path_get_tangents(const V_PATH *path,
                         int at,
@@ -1335,11 +1209,10 @@ int v_path_get_tangents(const V_PATH *path,
  * section; a section of one frame becomes two, split where you ask. Neighbours get
  * custom tangents, angular velocities, slopes of zoom and roll, and a part of the old
  * speed profile. Such tangents are removed when their point or a neighbour moves alone;
- * v_path_set_tangents() makes them permanent. *at receives the index; it may be NULL.
+ * setting the property "tangents" makes them permanent. *at receives the index; it may be NULL.
  *
  * frame  not at a key, not in a pan, not with orientation_mode
  *     "barry-goldman"
- * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_insert_on_curve(V_PATH *path,
                            double frame,
@@ -1355,7 +1228,6 @@ int v_path_insert_on_curve(V_PATH *path,
  * kind  V_EASE_...
  * rise, fall  fractions of the time for speeding up and slowing down, not negative,
  *     together at most 1
- * V_ERR_ARGUMENT, V_ERR_RANGE.
  */
 int v_ease(int kind,
            double rise,
@@ -1369,27 +1241,21 @@ int v_ease(int kind,
 
 /**
  * Gets the length of the whole curve.
- * V_ERR_MEMORY.
  */
 int v_path_length(const V_PATH *path, double *length);
 
 /**
  * Gets the length of a segment. Segment n leads from point n to the next; a closed
  * path has one more, from the last point to the first.
- * V_ERR_RANGE, V_ERR_MEMORY.
  */
 int v_path_segment_length(const V_PATH *path, int segment, double *length);
 
-/**
- * Gets the position on a segment at the spline's parameter t, 0 to 1.
- * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
- */
+/** Gets the position on a segment at the spline's parameter t, 0 to 1. */
 int v_path_curve_point(const V_PATH *path, int segment, double t, double xyz[3]);
 
 /**
  * Gets the position on a segment at the distance s along the curve, from 0 to the
  * segment's length.
- * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
  */
 int v_path_point_at_length(const V_PATH *path,
                            int segment,
@@ -1401,7 +1267,7 @@ int v_path_point_at_length(const V_PATH *path,
 
 /**
  * Changes a path by a tool, atomically. docs/reference/tools.md and planning.md describe
- * the tools; they are those of the window and the command.
+ * the tools and the defaults of their options.
  *
  * "reverse"  the same poses in reverse order
  * "repeat"   count times, each beginning where the last one ended: times
@@ -1416,21 +1282,42 @@ int v_path_point_at_length(const V_PATH *path,
  *            "moved", "inserted", "furthest"
  * "picture"  keeps an object in the picture: margin, what (zoom, distance, view).
  *            Reports "added", "tightest", "loosest"
+ * Also "move", "turn", "scale" and "mirror"; and, within the box of the points or the one
+ * that box gives by two corners, "taper", "bulge", "twist", "bend" and "free-form".
  *
- * Also "move", "turn", "scale", "mirror", "taper", "bulge", "twist", "bend", "free-form",
- * and the moves of v_path_from_move() and "tour", which replace the path's points, or with
- * put are inserted after its first one.
+ * These replace the points; moves with put=insert or put=append add theirs:
+ * "tour"  shows an object: seconds, coverage, distance, inside, start (a closed tour
+ *     without it). Reports "coverage", "places", "distance", "length", "seconds". Takes
+ *     some seconds and 300 bytes per triangle for a million triangles. From outside,
+ *     only the side of the normals counts where neighbouring triangles agree about it
+ * "orbit"  on a circle round a target: around, radius, height, from, turns, zoom,
+ *     seconds
+ * "spiral"  round a target with another radius and height at the end: around, radius,
+ *     height, from, turns, zoom, seconds, end-radius, end-height
+ * "arc"  on a part of a circle, from one heading to another: around, radius, height,
+ *     from, to, zoom, seconds
+ * "flyby"  straight past a target that stays in view: around, distance, height, from,
+ *     length, zoom, seconds
+ * "approach"  straight towards a target: around, distance, end-distance, from, rise,
+ *     zoom, seconds
+ * "dolly-zoom"  towards a target that keeps its size in the picture: around, distance,
+ *     end-distance, from, rise, zoom, seconds
+ * "crane"  straight up or down beside a target that stays in view: around, radius,
+ *     height, end-height, from, zoom, seconds
+ * "pan"  turns on the spot: at, from, to, tilt, zoom, seconds
+ * "figure-eight"  on an eight that lies before the target: around, radius, height,
+ *     width, from, zoom, seconds
  *
  * tool  its name
- * options  lines of name=value ("frames=250\nlast=3"), the others have their defaults;
- *     NULL: none. Points count from 1, from the first to the last point by default; 0 and
- *     the last stand for the whole path, if closed with the way back to the first
- * object  an object in the coordinates of the path, for "avoid" and "picture"; NULL: the
- *     path's own. Others ignore it
+ * options  lines of name=value ("frames=250\nlast=3", "around=0,1,0"); NULL: none.
+ *     Points count from 1, from the first to the last point by default; 0 and the last
+ *     stand for the whole path, if closed with the way back to the first
+ * object  an object in the coordinates of the path, for "avoid", "picture" and "tour";
+ *     NULL: the path's own
  *
  * v_last_warning() returns lines about what was done, or ""; v_last_number() numbers.
- * V_ERR_ARGUMENT (no such tool or option, a value for it, no way: v_last_error() names
- * the place), V_ERR_RANGE, V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED.
+ * V_ERR_ARGUMENT (no such tool or option, a value for it, no way, too few seconds:
+ * v_last_error() names the place or the least), V_ERR_REFUSED.
  */
 int v_path_tool(V_PATH *path,
                 const char *tool,
@@ -1438,68 +1325,27 @@ int v_path_tool(V_PATH *path,
                 const V_MESH *object);
 
 /**
- * Gets a number that the calling thread's last v_path_tool() reported, by the name given
- * there.
+ * Changes the path that a node of a scene follows, like v_path_tool(); its pins hold.
+ *
+ * object  NULL: the objects of the scene at the first pose
+ * V_ERR_ARGUMENT (also a node that follows no path), V_ERR_REFUSED.
+ */
+int v_scene_tool(V_SCENE *scene,
+                 int node,
+                 const char *tool,
+                 const char *options,
+                 const V_MESH *object);
+
+/**
+ * Gets a number that the calling thread's last tool or v_path_fit_poses() reported, by
+ * the name given there.
  * V_ERR_ARGUMENT (no such number).
  */
 int v_last_number(const char *name,
                   double *value);
 
 
-/* ---- Tools ------------------------------------------------------------------- */
-
-/**
- * Makes a path by a ready-made move, at 25 frames per second and one speed. parameters
- * has the numbers in the order below; those after count have the defaults in
- * parentheses. around and at are three numbers, from, to, rise and tilt degrees. Headings
- * are seen from the target: 0 is towards +z, 90 towards +x.
- *
- * "orbit"  on a circle round a target
- *     around x y z (0), radius (1), height (0.4), from degrees (0), turns (1),
- *     zoom mm (24), seconds (10)
- * "spiral"  round a target with another radius and height at the end
- *     around x y z (0), radius (1), height (0.4), from degrees (0), turns (1),
- *     zoom mm (24), seconds (10), end-radius (0.5), end-height (1)
- * "arc"  on a part of a circle, from one heading to another
- *     around x y z (0), radius (1), height (0.4), from degrees (-45),
- *     to degrees (45), zoom mm (24), seconds (10)
- * "flyby"  straight past a target that stays in view
- *     around x y z (0), distance (1), height (0.4), from degrees (0),
- *     length (2), zoom mm (24), seconds (10)
- * "approach"  straight towards a target
- *     around x y z (0), distance (1), end-distance (0.4), from degrees (0),
- *     rise degrees (15), zoom mm (24), seconds (10)
- * "dolly-zoom"  towards a target that keeps its size in the picture
- *     around x y z (0), distance (1), end-distance (0.4), from degrees (0),
- *     rise degrees (15), zoom mm (60), seconds (10)
- * "crane"  straight up or down beside a target that stays in view
- *     around x y z (0), radius (1), height (-0.2), end-height (1),
- *     from degrees (0), zoom mm (24), seconds (10)
- * "pan"  turns on the spot
- *     at x y z (0), from degrees (-45), to degrees (45), tilt degrees (0),
- *     zoom mm (24), seconds (10)
- * "figure-eight"  on an eight that lies before the target
- *     around x y z (0), radius (0.7), height (0.4), width (1.2),
- *     from degrees (0), zoom mm (24), seconds (10)
- *
- * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
- */
-int v_path_from_move(const char *move,
-                     const double *parameters,
-                     size_t count,
-                     V_PATH **path);
-
-/**
- * Like v_path_from_move(), in a space; NULL: that of v_space_init(). With V_UP_Z,
- * headings are towards +x (0) and +y (90), and heights along z. Default lengths are
- * multiplied by half_size; default positions are the centre.
- * V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
- */
-int v_path_from_move_in_space(const char *move,
-                              const double *parameters,
-                              size_t count,
-                              const V_SPACE *space,
-                              V_PATH **path);
+/* ---- Parts of paths ---------------------------------------------------------- */
 
 /**
  * Moves, turns, scales and mirrors the points from first_point to last_point, with
@@ -1508,7 +1354,7 @@ int v_path_from_move_in_space(const char *move,
  * matrix  column by column, without shear; its last row is 0 0 0 1
  * with_targets  1: with targets, views and rolls; 0: absolute targets stay in place,
  *     relative ones keep their direction
- * V_ERR_ARGUMENT (shear, or a point at its own target), V_ERR_RANGE, V_ERR_MEMORY.
+ * V_ERR_ARGUMENT (shear, or a point at its own target).
  */
 int v_path_transform(V_PATH *path,
                      int first_point,
@@ -1517,24 +1363,8 @@ int v_path_transform(V_PATH *path,
                      int with_targets);
 
 /**
- * Deforms the points from first_point to last_point like v_deform(), with their custom
- * tangents, and with their targets (with_targets 1) or not (0). box NULL: the bounds
- * of the points.
- * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
- */
-int v_path_deform(V_PATH *path,
-                  int first_point,
-                  int last_point,
-                  const char *kind,
-                  const double *parameters,
-                  size_t count,
-                  const double box[6],
-                  int with_targets);
-
-/**
  * Copies the points from first_point to last_point into a new, open path with the same
  * curve. On a closed path first_point may be after last_point.
- * V_ERR_RANGE, V_ERR_MEMORY, V_ERR_LIMIT.
  */
 int v_path_extract(const V_PATH *path,
                    int first_point,
@@ -1547,8 +1377,7 @@ int v_path_extract(const V_PATH *path,
  * with V_FIT_NONE, the block's first point is merged with that point, which keeps its
  * views; with V_FIT_SCALE its last point likewise with the next one. A closed block ends
  * where it begins. Duplicate names get a number.
- * V_ERR_ARGUMENT (no direction, or no length to scale), V_ERR_RANGE, V_ERR_LIMIT,
- * V_ERR_MEMORY.
+ * V_ERR_ARGUMENT (no direction, or no length to scale).
  */
 int v_path_insert_path(V_PATH *path,
                        int at,
@@ -1560,7 +1389,6 @@ int v_path_insert_path(V_PATH *path,
  * zoom and speeds; also fixed frames (rounded), angular velocities and slopes that all
  * have. Paths with fewer points are first resampled by length. Everything else comes
  * from the path with the greatest weight. The count weights have the sum 1.
- * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_blend(V_PATH *const *paths,
                  const double *weights,
@@ -1573,14 +1401,12 @@ int v_path_blend(V_PATH *const *paths,
 /**
  * Gets the number of sections. A section leads from one orientation to the next, at
  * the same point or at the next one, in the order in which the camera takes them.
- * V_ERR_MEMORY.
  */
 int v_path_section_count(const V_PATH *path, int *count);
 
 /**
  * Gets the point and orientation with which a section begins, its first frame, and its
  * number of frames without a hold at its end; 0 if nothing changes in it.
- * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_section_info(const V_PATH *path,
                         int section,
@@ -1589,16 +1415,10 @@ int v_path_section_info(const V_PATH *path,
                         size_t *first_frame,
                         size_t *frames);
 
-/**
- * Gets the number of frames, at least 1.
- * V_ERR_LIMIT, V_ERR_MEMORY.
- */
+/** Gets the number of frames, at least 1. */
 int v_path_frame_count(const V_PATH *path, size_t *frames);
 
-/**
- * Writes all poses to your array.
- * V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY.
- */
+/** Writes all poses to your array. */
 int v_path_sample(const V_PATH *path,
                   V_POSE *poses,
                   size_t capacity,
@@ -1606,7 +1426,6 @@ int v_path_sample(const V_PATH *path,
 
 /**
  * Writes count poses of v_path_sample(), from frame first on, to your array.
- * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_sample_range(const V_PATH *path,
                         size_t first,
@@ -1616,7 +1435,6 @@ int v_path_sample_range(const V_PATH *path,
 /**
  * Gets the pose at a frame. At a whole frame it equals that of v_path_sample() bit for
  * bit.
- * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_pose(const V_PATH *path,
                 double frame,
@@ -1625,7 +1443,6 @@ int v_path_pose(const V_PATH *path,
 /**
  * Gets the poses at count frames, as v_path_pose() does, in any order; ascending ones
  * are fastest. poses must not overlap frames.
- * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_poses_at(const V_PATH *path,
                     const double *frames,
@@ -1637,7 +1454,6 @@ int v_path_poses_at(const V_PATH *path,
  * there is no data yet. A list that VIDES made there before is freed when the new one is
  * complete, and unchanged if the call fails; any other is forgotten but not freed. No
  * other thread may use the list meanwhile.
- * V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_to_list(const V_PATH *path,
                    V_KAMERAPAR *first);
@@ -1646,15 +1462,12 @@ int v_path_to_list(const V_PATH *path,
  * Writes all poses to a text file, replaced atomically, one line each: VRP, VPN, VUP
  * (x, y and z each) and zoom, as C prints them by "%3.4f", separated by one space. The
  * decimal sign is always a point; minus zero is written as zero.
- * V_ERR_IO, V_ERR_LIMIT, V_ERR_MEMORY.
+ * V_ERR_IO.
  */
 int v_path_write_ascii(const V_PATH *path,
                        const char *file);
 
-/**
- * Gets the text that v_path_write_ascii() would write.
- * V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY.
- */
+/** Gets the text that v_path_write_ascii() would write. */
 int v_path_write_ascii_to_memory(const V_PATH *path,
                                  char *text,
                                  size_t capacity,
@@ -1667,23 +1480,18 @@ int v_path_write_ascii_to_memory(const V_PATH *path,
  * Gets the frame that is shown at a time from 0 to (v_path_frame_count() - 1) / fps,
  * which is 1 + seconds * fps. For the time of a whole frame from
  * v_path_seconds_at_frame(), it is exactly that frame.
- * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_frame_at_seconds(const V_PATH *path,
                             double seconds,
                             double *frame);
 
-/**
- * Gets the seconds at which a frame is shown: (frame - 1) / fps.
- * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
- */
+/** Gets the seconds at which a frame is shown: (frame - 1) / fps. */
 int v_path_seconds_at_frame(const V_PATH *path, double frame, double *seconds);
 
 /**
  * Gets the motion of the camera at a frame: lengths in the units of the positions,
  * seconds by the property "fps". At a key it is the motion after the key; at the last
  * frame, before it.
- * V_ERR_SIZE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_motion(const V_PATH *path,
                   double frame,
@@ -1704,7 +1512,6 @@ void v_node_init(V_NODE *node,
  * Makes a new scene: one camera, "camera", on the path of v_path_new(), from frame 1.
  * For another space, call v_scene_set_space(), then v_scene_set_path() for node 0 with a
  * path of v_path_new_in_space().
- * V_ERR_MEMORY, V_ERR_LIMIT.
  */
 int v_scene_new(V_SCENE **scene);
 
@@ -1715,7 +1522,7 @@ int v_scene_new(V_SCENE **scene);
  * of the .vid file once links are followed (v_scene_load_geometry() reads it from
  * anywhere); one that has changed is read as it is. v_last_warning() reports this, or
  * returns "".
- * V_ERR_IO, V_ERR_FORMAT, V_ERR_MEMORY, V_ERR_LIMIT.
+ * V_ERR_IO, V_ERR_FORMAT.
  */
 int v_scene_load(const char *file,
                  V_SCENE **scene);
@@ -1724,13 +1531,12 @@ int v_scene_load(const char *file,
  * Like v_scene_load(), from the text of a .vid file: size bytes, which need not be
  * zero-terminated. Relative names of mesh files are looked up in the current
  * directory.
- * V_ERR_FORMAT, V_ERR_MEMORY, V_ERR_LIMIT.
+ * V_ERR_FORMAT.
  */
 int v_scene_load_from_memory(const char *text, size_t size, V_SCENE **scene);
 
 /**
  * Gets the text of the .vid file of a scene. The names of mesh files are unchanged.
- * V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_scene_save_to_memory(const V_SCENE *scene,
                            char *text,
@@ -1739,14 +1545,13 @@ int v_scene_save_to_memory(const V_SCENE *scene,
 
 /**
  * Saves a scene, like v_path_save().
- * V_ERR_IO, V_ERR_LIMIT, V_ERR_MEMORY.
+ * V_ERR_IO.
  */
 int v_scene_save(const V_SCENE *scene, const char *file);
 
 /**
  * Makes an independent copy of a scene. Both share geometry until one of them changes
  * it.
- * V_ERR_MEMORY, V_ERR_LIMIT.
  */
 int v_scene_clone(const V_SCENE *scene,
                   V_SCENE **copy);
@@ -1758,14 +1563,8 @@ void v_scene_free(V_SCENE *scene);
 /* ---- Nodes ------------------------------------------------------------------- */
 
 /**
- * Gets the number of nodes.
- */
-int v_scene_node_count(const V_SCENE *scene, int *count);
-
-/**
  * Adds a node after the others. *node receives its number; it may be NULL. name is
  * unique in its scene, one line, not empty.
- * V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_scene_add_node(V_SCENE *scene,
                      const char *name,
@@ -1776,7 +1575,6 @@ int v_scene_add_node(V_SCENE *scene,
  * Removes a node with all its descendants. The numbers of later nodes decrease; nodes
  * that aimed at a removed one no longer aim. Removing many in a row costs as much as
  * one, even if you read nodes in between.
- * V_ERR_RANGE, V_ERR_MEMORY.
  */
 int v_scene_remove_node(V_SCENE *scene,
                         int node);
@@ -1787,22 +1585,13 @@ int v_scene_remove_node(V_SCENE *scene,
  */
 int v_scene_find_node(const V_SCENE *scene, const char *name, int *node);
 
-/**
- * Gets the name of a node.
- * V_ERR_RANGE.
- */
+/** Gets the name of a node. */
 int v_scene_get_name(const V_SCENE *scene, int node, const char **name);
 
-/**
- * Renames a node, see v_scene_add_node().
- * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
- */
+/** Renames a node, see v_scene_add_node(). */
 int v_scene_set_name(V_SCENE *scene, int node, const char *name);
 
-/**
- * Gets a node at rest.
- * V_ERR_SIZE, V_ERR_RANGE.
- */
+/** Gets a node at rest. */
 int v_scene_get_node(const V_SCENE *scene, int node, V_NODE *values);
 
 /**
@@ -1810,8 +1599,7 @@ int v_scene_get_node(const V_SCENE *scene, int node, V_NODE *values);
  * position, rotation and scale are relative to the old one: the node keeps its place
  * in the world at the scene's first frame. A node that moves can only change to a
  * parent in the same place as the old one.
- * V_ERR_SIZE, V_ERR_ARGUMENT (such as a cycle), V_ERR_RANGE, V_ERR_LIMIT,
- * V_ERR_MEMORY.
+ * V_ERR_ARGUMENT (such as a cycle).
  */
 int v_scene_set_node(V_SCENE *scene,
                      int node,
@@ -1826,7 +1614,6 @@ int v_scene_set_node(V_SCENE *scene,
  * coordinates; a node with a track for one of them cannot have a path.
  *
  * after  V_AFTER_HOLD, V_AFTER_REPEAT or V_AFTER_PINGPONG; before the path, too
- * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_scene_set_path(V_SCENE *scene,
                      int node,
@@ -1835,42 +1622,28 @@ int v_scene_set_path(V_SCENE *scene,
                      int after);
 
 /**
- * Gets a copy of the path that a node follows.
- * V_ERR_ARGUMENT (it follows none), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ * Gets a copy of the path that a node follows, and its start_frame and after.
+ * V_ERR_ARGUMENT (it follows none).
  */
-int v_scene_get_path(const V_SCENE *scene, int node, V_PATH **path);
+int v_scene_get_path(const V_SCENE *scene,
+                     int node,
+                     V_PATH **path,
+                     double *start_frame,
+                     int *after);
 
 /**
  * Sets a marker at a frame, or moves the one of this name (one line, not empty).
- * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_scene_set_marker(V_SCENE *scene, const char *name, double frame);
 
 /**
  * Pins a point of a node's path to a marker; NULL removes the pin. Pins hold when the
  * path changes, and are saved.
- * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_scene_pin(V_SCENE *scene,
                 int node,
                 int point,
                 const char *marker);
-
-/**
- * Sets the space, like v_path_set_space(); up applies to nodes that aim at others.
- * Values of nodes do not change; a path in the scene has its own space.
- * V_ERR_ARGUMENT, V_ERR_RANGE.
- */
-int v_scene_set_space(V_SCENE *scene,
-                      const double centre[3],
-                      double half_size,
-                      int up);
-
-/** Gets the space. */
-int v_scene_get_space(const V_SCENE *scene,
-                      double centre[3],
-                      double *half_size,
-                      int *up);
 
 
 /* ---- Properties of scenes by name -------------------------------------------- */
@@ -1887,31 +1660,23 @@ const char *v_scene_key(int node, const char *key);
  * name  "fps", "first_frame", a limit, "check.turning", or a value of a node at rest by its
  *     name or its number from 1: "node.lamp.intensity", "node.2.intensity".
  *     docs/reference/files.md lists them; v_scene_key() makes names of indices
- * V_ERR_RANGE, V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_scene_set_number(V_SCENE *scene,
                        const char *name,
                        double value);
 
-/**
- * Gets a number by its name; NaN if it is not set.
- * V_ERR_RANGE, V_ERR_ARGUMENT, V_ERR_MEMORY.
- */
+/** Gets a number by its name; NaN if it is not set. */
 int v_scene_get_number(const V_SCENE *scene, const char *name, double *value);
 
 /**
  * Sets several numbers by their name, like v_path_set_numbers(): "node.lamp.colour".
- * V_ERR_RANGE, V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_scene_set_numbers(V_SCENE *scene,
                         const char *name,
                         const double *values,
                         size_t count);
 
-/**
- * Gets several numbers by their name.
- * V_ERR_RANGE, V_ERR_ARGUMENT, V_ERR_SIZE, V_ERR_MEMORY.
- */
+/** Gets several numbers by their name. */
 int v_scene_get_numbers(const V_SCENE *scene,
                         const char *name,
                         double *values,
@@ -1920,30 +1685,20 @@ int v_scene_get_numbers(const V_SCENE *scene,
 
 /**
  * Sets a text by its name, like v_path_set_text(): "title", "comment".
- * V_ERR_RANGE, V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_scene_set_text(V_SCENE *scene, const char *name, const char *value);
 
-/**
- * Gets a text by its name, like v_path_get_text().
- * V_ERR_RANGE, V_ERR_ARGUMENT, V_ERR_SIZE, V_ERR_MEMORY.
- */
+/** Gets a text by its name, like v_path_get_text(). */
 int v_scene_get_text(const V_SCENE *scene,
                      const char *name,
                      char *value,
                      size_t capacity,
                      size_t *length);
 
-/**
- * Sets a flag by its name, not 0 or 0: "node.lamp.visible".
- * V_ERR_RANGE, V_ERR_ARGUMENT, V_ERR_MEMORY.
- */
+/** Sets a flag by its name, not 0 or 0: "node.lamp.visible". */
 int v_scene_set_flag(V_SCENE *scene, const char *name, int value);
 
-/**
- * Gets a flag by its name: 1 or 0.
- * V_ERR_RANGE, V_ERR_ARGUMENT, V_ERR_MEMORY.
- */
+/** Gets a flag by its name: 1 or 0. */
 int v_scene_get_flag(const V_SCENE *scene, const char *name, int *value);
 
 
@@ -1952,7 +1707,7 @@ int v_scene_get_flag(const V_SCENE *scene, const char *name, int *value);
 /**
  * Sets the camera that is shown; -1: the first one on a path, else the first one. The
  * choice follows the node, is removed with it, and is saved.
- * V_ERR_ARGUMENT (no camera), V_ERR_RANGE.
+ * V_ERR_ARGUMENT (no camera).
  */
 int v_scene_set_camera(V_SCENE *scene,
                        int node);
@@ -1963,7 +1718,7 @@ int v_scene_get_camera(const V_SCENE *scene, int *node);
 /**
  * Sets the first and last frame; if first > last, they follow from all paths and keys.
  * They are saved.
- * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT (more than 100000000 frames).
+ * V_ERR_LIMIT (more than 100000000 frames).
  */
 int v_scene_set_range(V_SCENE *scene,
                       double first,
@@ -1975,7 +1730,7 @@ int v_scene_set_range(V_SCENE *scene,
  * keep  V_KEEP_PLACE: its place in the world at the scene's first frame, as in
  *     v_scene_set_node(). V_KEEP_NUMBERS: its values, path and tracks; it moves with
  *     its new parent
- * V_ERR_ARGUMENT (such as a cycle), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ * V_ERR_ARGUMENT (such as a cycle).
  */
 int v_scene_set_parent(V_SCENE *scene,
                        int node,
@@ -2003,7 +1758,6 @@ int v_scene_set_parent(V_SCENE *scene,
  * shape  "hermite": the tangents before and after each key (2 x width, per frame);
  *     "tcb": tension, continuity and bias of each key; otherwise NULL
  * after  V_AFTER_..., optionally | V_BEFORE_...
- * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_scene_set_track(V_SCENE *scene,
                       int node,
@@ -2018,7 +1772,6 @@ int v_scene_set_track(V_SCENE *scene,
 /**
  * Gets the keys of a channel as set. *keys receives their number, 0 if there is no
  * track (*interpolation is then ""). capacity counts keys. Any result may be NULL.
- * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_SIZE.
  */
 int v_scene_get_track(const V_SCENE *scene,
                       int node,
@@ -2036,7 +1789,6 @@ int v_scene_get_track(const V_SCENE *scene,
  * replacing an older one; NULL removes it. name is NAME, with or without "host:". Any
  * thread that evaluates a scene calls it. It must not use scenes, and no longjmp() and
  * no exception may leave it.
- * V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_register_interpolation(const char *name,
                              V_INTERPOLATE function,
@@ -2048,7 +1800,6 @@ int v_register_interpolation(const char *name,
 /**
  * Sets the geometry of an object. If the object has shapes, the mesh must have as many
  * points as they have.
- * V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_scene_set_geometry(V_SCENE *scene,
                          int node,
@@ -2058,7 +1809,7 @@ int v_scene_set_geometry(V_SCENE *scene,
  * Reads the geometry of an object from an OBJ, PLY, STL or glTF file, by its
  * extension. A saved .vid file refers to that file instead of containing the points,
  * by a relative name if it is in the same folder or below.
- * V_ERR_IO, V_ERR_FORMAT, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ * V_ERR_IO, V_ERR_FORMAT.
  */
 int v_scene_load_geometry(V_SCENE *scene,
                           int node,
@@ -2068,18 +1819,19 @@ int v_scene_load_geometry(V_SCENE *scene,
  * Adds a shape to an object: other positions for all its points, with weight 0 at
  * first. The channel "weights" has one number per shape; the mesh itself gets the
  * remainder to 1.
- * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ *
+ * rgb  three bytes per point; NULL: the colours of the mesh
  */
 int v_scene_add_shape(V_SCENE *scene,
                       int node,
                       const char *name,
                       const double *xyz,
+                      const unsigned char *rgb,
                       size_t points);
 
 /**
  * Adds a deformation (see v_deform()) to an object, after the others. *at receives its
  * number and may be NULL. box NULL: the bounds of the geometry at rest.
- * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_scene_add_deformation(V_SCENE *scene,
                             int node,
@@ -2092,7 +1844,6 @@ int v_scene_add_deformation(V_SCENE *scene,
 /**
  * Removes a deformation with its tracks. The numbers of later deformations decrease,
  * in the names of channels too.
- * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
  */
 int v_scene_remove_deformation(V_SCENE *scene,
                                int node,
@@ -2113,8 +1864,6 @@ int v_scene_remove_deformation(V_SCENE *scene,
  * "free-form"  64 points, 3 numbers each (points): a Bezier volume over the box,
  *              the first index fastest; (-1, -1, -1), (-1/3, -1, -1) ... is the
  *              identity. Points outside the box do not move
- *
- * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_deform(const char *kind,
              const double *parameters,
@@ -2127,36 +1876,19 @@ int v_deform(const char *kind,
 /* ---- What has been set in a scene -------------------------------------------- */
 
 /**
- * Gets start_frame and after of a node's path, see v_scene_set_path().
- * V_ERR_ARGUMENT (it follows none), V_ERR_RANGE.
+ * Gets how many there are of a scene's "nodes", "markers" or "pins" (node is then
+ * ignored), or of a node's "tracks", "shapes" or "deformations".
+ * V_ERR_ARGUMENT (no such thing; no object).
  */
-int v_scene_get_start(const V_SCENE *scene,
-                      int node,
-                      double *start_frame,
-                      int *after);
+int v_scene_count(const V_SCENE *scene, int node, const char *what, int *count);
 
-/**
- * Gets the number of tracks of a node.
- * V_ERR_RANGE.
- */
-int v_scene_track_count(const V_SCENE *scene, int node, int *count);
-
-/**
- * Gets the channel of a node's track, for v_scene_get_track().
- * V_ERR_RANGE.
- */
+/** Gets the channel of a node's track, for v_scene_get_track(). */
 int v_scene_get_channel(const V_SCENE *scene,
                         int node,
                         int at,
                         const char **channel);
 
-/** Gets the number of markers. */
-int v_scene_marker_count(const V_SCENE *scene, int *count);
-
-/**
- * Gets a marker; they are sorted by name.
- * V_ERR_RANGE.
- */
+/** Gets a marker; they are sorted by name. */
 int v_scene_get_marker(const V_SCENE *scene,
                        int at,
                        const char **name,
@@ -2168,13 +1900,7 @@ int v_scene_get_marker(const V_SCENE *scene,
  */
 int v_scene_remove_marker(V_SCENE *scene, const char *name);
 
-/** Gets the number of points that are pinned to markers. */
-int v_scene_pin_count(const V_SCENE *scene, int *count);
-
-/**
- * Gets a pin of v_scene_pin(); they are sorted by node and point.
- * V_ERR_RANGE.
- */
+/** Gets a pin of v_scene_pin(); they are sorted by node and point. */
 int v_scene_get_pin(const V_SCENE *scene,
                     int at,
                     int *node,
@@ -2184,49 +1910,39 @@ int v_scene_get_pin(const V_SCENE *scene,
 /**
  * Gets the geometry of an object at rest; 0 points if it has none. The arrays are
  * valid until the scene is changed or freed.
- * V_ERR_SIZE, V_ERR_ARGUMENT (no object), V_ERR_RANGE.
+ * V_ERR_ARGUMENT (no object).
  */
 int v_scene_get_geometry(const V_SCENE *scene, int node, V_MESH *mesh);
 
 /**
- * Gets the number of shapes of an object.
- * V_ERR_ARGUMENT (no object), V_ERR_RANGE.
- */
-int v_scene_shape_count(const V_SCENE *scene, int node, int *count);
-
-/**
- * Gets the name and the points of an object's shape: three numbers per point; capacity
- * and *points count points. Any result may be NULL.
- * V_ERR_SIZE, V_ERR_ARGUMENT (no object), V_ERR_RANGE.
+ * Gets the name of an object's shape, its points and, if it has its own (*coloured 1),
+ * their colours. capacity and *points count points.
+ * V_ERR_ARGUMENT (no object).
  */
 int v_scene_get_shape(const V_SCENE *scene,
                       int node,
                       int at,
                       const char **name,
                       double *xyz,
+                      unsigned char *rgb,
                       size_t capacity,
-                      size_t *points);
+                      size_t *points,
+                      int *coloured);
 
 /**
  * Removes a shape of an object. The numbers of later shapes decrease; the others keep
  * their weights, also in a track of the channel "weights".
- * V_ERR_ARGUMENT (no object), V_ERR_RANGE, V_ERR_MEMORY.
+ * V_ERR_ARGUMENT (no object).
  */
 int v_scene_remove_shape(V_SCENE *scene,
                          int node,
                          int at);
 
 /**
- * Gets the number of deformations of an object.
- * V_ERR_ARGUMENT (no object), V_ERR_RANGE.
- */
-int v_scene_deformation_count(const V_SCENE *scene, int node, int *count);
-
-/**
  * Gets the kind, parameters and box of an object's deformation. A box of 1 1 1 -1 -1
  * -1, which no other is, stands for the bounds of the geometry: give
  * v_scene_add_deformation() NULL then. Any result may be NULL.
- * V_ERR_SIZE, V_ERR_ARGUMENT (no object), V_ERR_RANGE.
+ * V_ERR_ARGUMENT (no object).
  */
 int v_scene_get_deformation(const V_SCENE *scene,
                             int node,
@@ -2243,7 +1959,6 @@ int v_scene_get_deformation(const V_SCENE *scene,
 /**
  * Gets the first and last frame: those of v_scene_set_range(), otherwise those of all
  * paths and keys; 1 and 1 if nothing moves.
- * V_ERR_ARGUMENT.
  */
 int v_scene_frame_range(const V_SCENE *scene,
                         double *first,
@@ -2256,7 +1971,6 @@ int v_scene_frame_range(const V_SCENE *scene,
  * If a "host:" interpolation is not registered, fails or returns a number that is not
  * finite, its channel steps from key to key; v_last_warning() reports it, or returns
  * "".
- * V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_scene_evaluate(const V_SCENE *scene,
                      double frame,
@@ -2267,7 +1981,6 @@ int v_scene_evaluate(const V_SCENE *scene,
 /**
  * Gets count states of one node, at the frames first, first + frame_step and so on.
  * v_last_warning() as for v_scene_evaluate().
- * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_scene_sample(const V_SCENE *scene,
                    int node,
@@ -2279,7 +1992,6 @@ int v_scene_sample(const V_SCENE *scene,
 /**
  * Gets the value of a channel at a frame, with or without a track, and the number of
  * its components. Any result may be NULL. v_last_warning() as for v_scene_evaluate().
- * V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_scene_value(const V_SCENE *scene,
                   int node,
@@ -2291,14 +2003,15 @@ int v_scene_value(const V_SCENE *scene,
 
 /**
  * Gets the points of an object at a frame, morphed and deformed, in the coordinates of
- * the node: three numbers per point; capacity and *points count points. Any result may
- * be NULL. v_last_warning() as for v_scene_evaluate().
- * V_ERR_SIZE, V_ERR_ARGUMENT (no object), V_ERR_RANGE, V_ERR_MEMORY.
+ * the node, and their colours, morphed likewise (unchanged if the mesh has none):
+ * capacity and *points count points. v_last_warning() as for v_scene_evaluate().
+ * V_ERR_ARGUMENT (no object).
  */
 int v_scene_vertices(const V_SCENE *scene,
                      int node,
                      double frame,
                      double *xyz,
+                     unsigned char *rgb,
                      size_t capacity,
                      size_t *points);
 
@@ -2316,9 +2029,8 @@ int v_scene_vertices(const V_SCENE *scene,
  *
  * What the format cannot hold is left out; v_last_warning() lists such losses, one per
  * line, or returns "".
- * V_ERR_ARGUMENT (also no such node, a host interpolation that fails), V_ERR_RANGE,
- * V_ERR_FORMAT (a folder that holds what would be read first), V_ERR_IO, V_ERR_LIMIT,
- * V_ERR_MEMORY.
+ * V_ERR_ARGUMENT (also no such node, a host interpolation that fails), V_ERR_FORMAT (a
+ * folder that holds what would be read first), V_ERR_IO.
  */
 int v_scene_export(const V_SCENE *scene,
                    const char *file,
@@ -2337,7 +2049,7 @@ int v_scene_export(const V_SCENE *scene,
  *
  * v_last_warning() lists parts of the file that are ignored, and how well a path fits,
  * one per line, or returns "".
- * V_ERR_ARGUMENT, V_ERR_IO, V_ERR_FORMAT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ * V_ERR_IO, V_ERR_FORMAT.
  */
 int v_scene_import(const char *file,
                    const char *format,
@@ -2362,70 +2074,34 @@ int v_scene_import(const char *file,
 int v_set_progress(int (*progress)(double share, void *user),
                    void *user);
 
-
-/* ---- Paths from recorded poses, checks --------------------------------------- */
-
 /**
  * Fits a path of few points to recorded poses: each position within tolerance, each
  * view, up and field of view within angle degrees, at its time. Noise below that is
  * removed. Poses that jerk between whole frames, where no points are, may be missed.
- * The space is the smallest cube around the positions, enlarged by a tenth, with
- * V_UP_Y.
- *
- * v_last_warning() then reports points, deviations and frame rate; if there are any,
- * holds, gaps, cuts and outliers; and what helps against many points: where a few
- * outliers cost a third of them, v_path_fit_poses_robust() with the points it needs;
- * else, where more than a third of the poses became points, a tolerance that needs at
- * most half of them.
  *
  * seconds  when each pose was taken, in order; NULL: one per frame. Of equal times the
  *     first counts. Times beyond 1e11 count nanoseconds or microseconds, by their
  *     median step
  * count  at least two
- * fps  frame rate of the path
- * V_ERR_ARGUMENT (times that run backwards, a view without direction), V_ERR_RANGE,
- * V_ERR_LIMIT (times that span more than 100,000,000 frames), V_ERR_MEMORY,
- * V_ERR_REFUSED.
+ * options  lines of name=value; NULL: none. fps (25); tolerance (a thousandth of the
+ *     diagonal of the positions); angle (0.5); points, at most so many, from which the
+ *     tolerance follows; robust=yes leaves out outliers, poses farther than the
+ *     tolerance from what their neighbours suggest; up (y or z); space, its centre and
+ *     half size (the smallest cube round the positions, enlarged by a tenth)
+ *
+ * v_last_warning() returns points, deviations, holds, gaps, cuts, outliers, and what
+ * helps against many points; v_last_number() "tolerance", "left_out" (poses).
+ * V_ERR_ARGUMENT (times that run backwards, a view without direction), V_ERR_LIMIT
+ * (times that span more than 100,000,000 frames), V_ERR_REFUSED.
  */
 int v_path_fit_poses(const V_POSE *poses,
                      const double *seconds,
                      size_t count,
-                     double fps,
-                     double tolerance,
-                     double angle,
+                     const char *options,
                      V_PATH **path);
 
-/**
- * Like v_path_fit_poses(), in a space whose up axis applies to rolls and ups.
- *
- * space  with half_size 0 only its up axis counts, and it is the smallest cube around
- *     the positions, as with NULL
- * V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED.
- */
-int v_path_fit_poses_in_space(const V_POSE *poses,
-                              const double *seconds,
-                              size_t count,
-                              double fps,
-                              double tolerance,
-                              double angle,
-                              const V_SPACE *space,
-                              V_PATH **path);
 
-/**
- * Like v_path_fit_poses_in_space(), without outliers: poses farther than the tolerance
- * from what their neighbours suggest. *left_out receives their number, and may be NULL;
- * the last sentence of v_last_warning() names it and the first one.
- * V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED.
- */
-int v_path_fit_poses_robust(const V_POSE *poses,
-                            const double *seconds,
-                            size_t count,
-                            double fps,
-                            double tolerance,
-                            double angle,
-                            const V_SPACE *space,
-                            size_t *left_out,
-                            V_PATH **path);
+/* ---- Checks ------------------------------------------------------------------ */
 
 /**
  * Finds what will look wrong: jerks, flips, collisions. Writes one finding per kind
@@ -2463,47 +2139,13 @@ int v_path_fit_poses_robust(const V_POSE *poses,
  *     faces, if it has one
  * v_last_warning() returns notes, or "": that the camera is always inside the object,
  * and what was ignored (moving objects, the motion of the camera's parent).
- * V_ERR_SIZE, V_ERR_ARGUMENT (an object without geometry), V_ERR_RANGE, V_ERR_LIMIT,
- * V_ERR_MEMORY, V_ERR_REFUSED.
+ * V_ERR_ARGUMENT (an object without geometry), V_ERR_REFUSED.
  */
 int v_path_check(const V_PATH *path,
                  const V_MESH *object,
                  V_FINDING *findings,
                  size_t capacity,
                  size_t *count);
-
-
-/* ---- Planning ---------------------------------------------------------------- */
-
-/**
- * Fills in the default tour: 60 seconds, coverage 0.95, outside the object, at a
- * distance that VIDES chooses, closed, V_UP_Y.
- */
-void v_tour_init(V_TOUR *tour);
-
-/** Like v_tour_init(), for a struct of size bytes. */
-void v_tour_init_sized(V_TOUR *tour, size_t size);
-
-/**
- * Plans a flight that shows an object: the fewest positions from which the wanted
- * fraction of its surface is seen, a short path through them that keeps clear of it,
- * and a speed profile within the limits of v_path_check(), at 25 frames per second.
- * Takes some seconds for a million triangles, and about 300 bytes per triangle.
- *
- * object  its triangles count. From outside, only the side of the normals is to be
- *     seen where neighbouring triangles agree about it, otherwise either side
- * tour  NULL: that of v_tour_init()
- * coverage  the fraction shown of what can be seen; may be NULL
- * v_last_warning() returns two lines: positions, coverage, length and seconds; and
- * what remains unseen, and why.
- * V_ERR_SIZE, V_ERR_ARGUMENT (no surface, no free place, too few seconds:
- * v_last_error() names the least), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY,
- * V_ERR_REFUSED.
- */
-int v_path_tour(const V_MESH *object,
-                const V_TOUR *tour,
-                V_PATH **path,
-                double *coverage);
 
 
 /* ---- Opening and closing windows --------------------------------------------- */
@@ -2528,8 +2170,7 @@ void v_editor_options_init_sized(V_EDITOR_OPTIONS *options, size_t size);
  * serves the window too. No longjmp() and no exception may leave them; an exception
  * that does ends the program, after a line on standard error that names the callback.
  * When the thread ends, its window is closed, with a line on standard error.
- * V_ERR_SIZE, V_ERR_HANDLE (of path), V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_IO and
- * V_ERR_FORMAT (of file), V_ERR_DISPLAY, V_ERR_LIMIT, V_ERR_MEMORY.
+ * V_ERR_HANDLE (of path), V_ERR_IO and V_ERR_FORMAT (of file), V_ERR_DISPLAY.
  */
 int v_editor_open(const V_EDITOR_OPTIONS *options,
                   V_EDITOR **editor);
@@ -2544,7 +2185,7 @@ int v_editor_close(V_EDITOR *editor);
 
 /**
  * Gets a copy of the path in a window; in a scene, that of the camera shown.
- * V_ERR_ARGUMENT (no camera, or it follows no path), V_ERR_MEMORY, V_ERR_LIMIT.
+ * V_ERR_ARGUMENT (no camera, or it follows no path).
  */
 int v_editor_get_path(const V_EDITOR *editor, V_PATH **path);
 
@@ -2554,7 +2195,7 @@ int v_editor_get_path(const V_EDITOR *editor, V_PATH **path);
  * window was opened are kept. In a scene it replaces the path of the camera shown,
  * which is then edited. The playhead stays at its frame if the path has it, else goes
  * to the current point.
- * V_ERR_ARGUMENT (no camera, or it follows no path), V_ERR_MEMORY.
+ * V_ERR_ARGUMENT (no camera, or it follows no path).
  */
 int v_editor_set_path(V_EDITOR *editor,
                       const V_PATH *path);
@@ -2568,14 +2209,12 @@ int v_editor_set_path(V_EDITOR *editor,
  *
  * Changes that a callback makes with the functions of this section or with
  * v_editor_set_path() do not cause further callbacks.
- * V_ERR_ARGUMENT, V_ERR_RANGE.
  */
 int v_editor_set_view(V_EDITOR *editor, const V_POSE *pose);
 
 /**
  * Gets the frame at the playhead, for v_path_pose(); in a scene a frame of the scene,
  * for v_scene_evaluate().
- * V_ERR_MEMORY, V_ERR_LIMIT.
  */
 int v_editor_get_frame(const V_EDITOR *editor,
                        double *frame);
@@ -2584,7 +2223,6 @@ int v_editor_get_frame(const V_EDITOR *editor,
  * Moves the playhead to a frame; the orientation that the camera comes from becomes
  * current. In a scene it is a frame of the scene, within v_scene_frame_range(),
  * whatever is selected.
- * V_ERR_RANGE, V_ERR_MEMORY, V_ERR_LIMIT.
  */
 int v_editor_set_frame(V_EDITOR *editor, double frame);
 
@@ -2596,20 +2234,18 @@ int v_editor_play(V_EDITOR *editor, int play);
 
 /**
  * Makes an orientation of a point current.
- * V_ERR_ARGUMENT (no path is edited), V_ERR_RANGE.
+ * V_ERR_ARGUMENT (no path is edited).
  */
 int v_editor_select(V_EDITOR *editor, int point, int orientation);
 
 /**
  * Replaces the object shown, in one step that the user can undo; NULL removes it.
- * V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_editor_set_object(V_EDITOR *editor, const V_MESH *object);
 
 /**
  * Sets the text after "VIDES" in the window's title, one line (control characters
  * become spaces); NULL: the name of the file.
- * V_ERR_ARGUMENT, V_ERR_MEMORY.
  */
 int v_editor_set_title(V_EDITOR *editor, const char *title);
 
@@ -2625,7 +2261,7 @@ int v_editor_mark_saved(V_EDITOR *editor);
 /**
  * Saves the contents of a window to a .vid file, which it edits from then on. NULL:
  * its own file, unless another program has changed it.
- * V_ERR_ARGUMENT (no file yet, or changed by others), V_ERR_IO, V_ERR_MEMORY.
+ * V_ERR_ARGUMENT (no file yet, or changed by others), V_ERR_IO.
  */
 int v_editor_save(V_EDITOR *editor, const char *file);
 
@@ -2656,7 +2292,6 @@ int v_editors_close(int ask);
 /**
  * Gets a copy of the scene in a window; if the window has only a path, a scene with a
  * camera on it.
- * V_ERR_MEMORY, V_ERR_LIMIT.
  */
 int v_editor_get_scene(const V_EDITOR *editor,
                        V_SCENE **scene);
@@ -2671,7 +2306,6 @@ int v_editor_get_scene(const V_EDITOR *editor,
  * when the window was opened. A scene with nothing but one camera on a path is treated
  * as that path. A drag in progress ends where it is. The playhead stays at its frame if
  * the scene has it.
- * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY, V_ERR_LIMIT.
  */
 int v_editor_set_scene(V_EDITOR *editor,
                        const V_SCENE *scene);
@@ -2721,7 +2355,6 @@ int v_editor_is_playing(const V_EDITOR *editor, int *playing);
  * Quaternions are w, x, y, z. Arguments are normalized; one that is zero or not finite
  * is V_ERR_ARGUMENT. The identity is a camera that looks along (0, 0, 1) with (0, 1,
  * 0) up. Results may be the same arrays as arguments.
- * V_ERR_NULL, V_ERR_ARGUMENT.
  */
 int v_quat_slerp(const double a[4],
                  const double b[4],
@@ -2731,16 +2364,12 @@ int v_quat_slerp(const double a[4],
 /**
  * Gets the quaternion of a camera that looks along vpn with vup up. Both may have any
  * length but 0, and must not be parallel.
- * V_ERR_NULL, V_ERR_ARGUMENT.
  */
 int v_quat_from_view(const double vpn[3],
                      const double vup[3],
                      double q[4]);
 
-/**
- * Gets the view direction and up vector of a quaternion.
- * V_ERR_NULL, V_ERR_ARGUMENT.
- */
+/** Gets the view direction and up vector of a quaternion. */
 int v_view_from_quat(const double q[4], double vpn[3], double vup[3]);
 
 /**
@@ -2751,7 +2380,6 @@ int v_view_from_quat(const double q[4], double vpn[3], double vup[3]);
  * key_times  the time of each key, strictly increasing
  * count  at least 2
  * when  from the first time to the last
- * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_quat_spline(const double *keys,
                   const double *key_times,
@@ -2762,7 +2390,6 @@ int v_quat_spline(const double *keys,
 /**
  * Like v_quat_spline(), on a cubic spherical curve. tcb has tension, continuity and
  * bias of each key, from -1 to 1; NULL: all zero.
- * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_quat_tcb_spline(const double *keys,
                       const double *key_times,
@@ -2781,7 +2408,6 @@ int v_quat_tcb_spline(const double *keys,
  * section, the acceleration is joined too, which depends on more of both sections.)
  *
  * before, after  the adjacent speed of the section before and after; NULL: no section
- * V_ERR_ARGUMENT, V_ERR_RANGE.
  */
 int v_speed_curve(const double speed[10],
                   const double *before,
@@ -2798,8 +2424,8 @@ int v_speed_curve(const double speed[10],
  * numbers, row by row, for column vectors. In a parallel projection, x and y are then
  * from -1 to 1, z 0 in the front plane and -1 in the back plane; in a perspective
  * projection, |x| and |y| at most z, and z 1 in the back plane.
- * V_ERR_SIZE, V_ERR_ARGUMENT (up parallel to normal), V_ERR_RANGE (prp not in front of
- * the front plane, back plane not behind it, empty window).
+ * V_ERR_ARGUMENT (up parallel to normal), V_ERR_RANGE (prp not in front of the front
+ * plane, back plane not behind it, empty window).
  */
 int v_view_matrix(const V_VIEW *view,
                   double m[16]);
@@ -2808,21 +2434,12 @@ int v_view_matrix(const V_VIEW *view,
  * Gets the perspective view of a camera in a pose. aspect is the picture's width
  * divided by its height; front and back are the planes' distances from the camera, 0 <
  * front < back.
- * V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE.
  */
 int v_view_from_pose(const V_POSE *pose,
                      double aspect,
                      double front,
                      double back,
                      V_VIEW *view);
-
-/**
- * Gets the matrix of a camera in a pose as gluLookAt() makes it, for glLoadMatrixd():
- * 16 numbers, column by column, from the world to the eye, looking along -z.
- * V_ERR_ARGUMENT, V_ERR_RANGE.
- */
-int v_pose_gl_matrix(const V_POSE *pose,
-                     double m[16]);
 
 /**
  * Returns the vertical field of view, in degrees, of a lens of zoom mm and a picture
@@ -2846,9 +2463,8 @@ double v_zoom_from_fov(double fov,
  *
  * convention  the camera's axes, V_AXES_...
  * to_world  0: world to camera (the view matrix), with V_AXES_OPENGL that of
- *     v_pose_gl_matrix(), bit for bit. Otherwise camera to world: the columns are the
+ *     gluLookAt(), for glLoadMatrixd(). Otherwise camera to world: the columns are the
  *     axes and vrp
- * V_ERR_ARGUMENT, V_ERR_RANGE.
  */
 int v_pose_matrix(const V_POSE *pose,
                   int convention,
@@ -2865,8 +2481,7 @@ int v_pose_matrix(const V_POSE *pose,
  * m  its last row is 0, 0, 0, 1
  * zoom  zoom of the pose, finite and > 0; from a vertical angle:
  *     v_zoom_from_fov(angle, 24)
- * V_ERR_ARGUMENT (a matrix that mirrors, shears, projects or is not finite),
- * V_ERR_RANGE.
+ * V_ERR_ARGUMENT (a matrix that mirrors, shears, projects or is not finite).
  */
 int v_pose_from_matrix(const double m[16],
                        int convention,
@@ -2887,7 +2502,6 @@ int v_pose_from_matrix(const double m[16],
  * angles  degrees about x, y and z, listed so for any order. The second turn is within
  *     -90 to 90, the others within -180 to 180. If it is 90 or -90, the others turn
  *     about the same axis and share its angle
- * V_ERR_ARGUMENT, V_ERR_RANGE.
  */
 int v_pose_to_euler(const V_POSE *pose,
                     int convention,
@@ -2897,7 +2511,6 @@ int v_pose_to_euler(const V_POSE *pose,
 /**
  * Gets the pose of a camera at position vrp, turned by three angles: the inverse of
  * v_pose_to_euler(). Any finite angles are valid; zoom is finite and > 0.
- * V_ERR_ARGUMENT, V_ERR_RANGE.
  */
 int v_pose_from_euler(const double vrp[3],
                       const double angles[3],
@@ -2908,7 +2521,7 @@ int v_pose_from_euler(const double vrp[3],
 
 /**
  * Gets the projection matrix of a camera, for its zoom, to be applied after the view
- * matrix of v_pose_gl_matrix(), which looks along -z whatever the convention: 16
+ * matrix of V_AXES_OPENGL, which looks along -z whatever the convention: 16
  * numbers, column by column, for column vectors (row by row for row vectors, as
  * Direct3D uses them).
  *
@@ -2916,7 +2529,6 @@ int v_pose_from_euler(const double vrp[3],
  * near_plane  distance of the front plane, > 0
  * far_plane  distance of the back plane, > near_plane; INFINITY: no back plane
  * convention  V_CLIP_..., optionally | V_CLIP_REVERSED
- * V_ERR_RANGE.
  */
 int v_pose_projection(const V_POSE *pose,
                       double aspect,
@@ -2934,7 +2546,5 @@ int v_pose_projection(const V_POSE *pose,
 /* Tells the library which fields the program knows. */
 #define v_editor_options_init(options) \
     v_editor_options_init_sized(options, sizeof(V_EDITOR_OPTIONS))
-#define v_space_init(space) v_space_init_sized(space, sizeof(V_SPACE))
-#define v_tour_init(tour) v_tour_init_sized(tour, sizeof(V_TOUR))
 
 #endif  /* LIBVIDES_H */

@@ -6,7 +6,7 @@ use std::fs;
 use std::path::Path;
 
 /// The files with exports, in the order in which the header shows them.
-const SOURCES: [&str; 37] = [
+const SOURCES: [&str; 36] = [
     "status",
     "types",
     "legacy",
@@ -26,7 +26,6 @@ const SOURCES: [&str; 37] = [
     "times",
     "scene_types",
     "scene",
-    "scene_space",
     "scene_properties",
     "scene_shown",
     "scene_tracks",
@@ -34,8 +33,8 @@ const SOURCES: [&str; 37] = [
     "scene_states",
     "exchange",
     "progress",
+    "fit",
     "checks",
-    "planning",
     "editor",
     "live",
     "editor_scene",

@@ -122,9 +122,8 @@ fn clip(number: c_int) -> Answer<Clip> {
 ///
 /// convention  the camera's axes, V_AXES_...
 /// to_world  0: world to camera (the view matrix), with V_AXES_OPENGL that of
-///     v_pose_gl_matrix(), bit for bit. Otherwise camera to world: the columns are the
+///     gluLookAt(), for glLoadMatrixd(). Otherwise camera to world: the columns are the
 ///     axes and vrp
-/// V_ERR_ARGUMENT, V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[m; 16]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_pose_matrix(
@@ -158,8 +157,7 @@ pub unsafe extern "C" fn v_pose_matrix(
 /// m  its last row is 0, 0, 0, 1
 /// zoom  zoom of the pose, finite and > 0; from a vertical angle:
 ///     v_zoom_from_fov(angle, 24)
-/// V_ERR_ARGUMENT (a matrix that mirrors, shears, projects or is not finite),
-/// V_ERR_RANGE.
+/// V_ERR_ARGUMENT (a matrix that mirrors, shears, projects or is not finite).
 /// cbindgen:ptrs-as-arrays=[[m; 16]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_pose_from_matrix(
@@ -193,7 +191,6 @@ pub unsafe extern "C" fn v_pose_from_matrix(
 /// angles  degrees about x, y and z, listed so for any order. The second turn is within
 ///     -90 to 90, the others within -180 to 180. If it is 90 or -90, the others turn
 ///     about the same axis and share its angle
-/// V_ERR_ARGUMENT, V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[angles; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_pose_to_euler(
@@ -216,7 +213,6 @@ pub unsafe extern "C" fn v_pose_to_euler(
 
 /// Gets the pose of a camera at position vrp, turned by three angles: the inverse of
 /// v_pose_to_euler(). Any finite angles are valid; zoom is finite and > 0.
-/// V_ERR_ARGUMENT, V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[vrp; 3], [angles; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_pose_from_euler(
@@ -253,7 +249,7 @@ pub unsafe extern "C" fn v_pose_from_euler(
 }
 
 /// Gets the projection matrix of a camera, for its zoom, to be applied after the view
-/// matrix of v_pose_gl_matrix(), which looks along -z whatever the convention: 16
+/// matrix of V_AXES_OPENGL, which looks along -z whatever the convention: 16
 /// numbers, column by column, for column vectors (row by row for row vectors, as
 /// Direct3D uses them).
 ///
@@ -261,7 +257,6 @@ pub unsafe extern "C" fn v_pose_from_euler(
 /// near_plane  distance of the front plane, > 0
 /// far_plane  distance of the back plane, > near_plane; INFINITY: no back plane
 /// convention  V_CLIP_..., optionally | V_CLIP_REVERSED
-/// V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[m; 16]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_pose_projection(

@@ -155,8 +155,7 @@ unsafe impl Growing for V_EDITOR_OPTIONS {
 /// serves the window too. No longjmp() and no exception may leave them; an exception
 /// that does ends the program, after a line on standard error that names the callback.
 /// When the thread ends, its window is closed, with a line on standard error.
-/// V_ERR_SIZE, V_ERR_HANDLE (of path), V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_IO and
-/// V_ERR_FORMAT (of file), V_ERR_DISPLAY, V_ERR_LIMIT, V_ERR_MEMORY.
+/// V_ERR_HANDLE (of path), V_ERR_IO and V_ERR_FORMAT (of file), V_ERR_DISPLAY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_open(
     options: *const V_EDITOR_OPTIONS,
@@ -405,7 +404,7 @@ pub unsafe extern "C" fn v_editor_close(editor: *mut V_EDITOR) -> c_int {
 }
 
 /// Gets a copy of the path in a window; in a scene, that of the camera shown.
-/// V_ERR_ARGUMENT (no camera, or it follows no path), V_ERR_MEMORY, V_ERR_LIMIT.
+/// V_ERR_ARGUMENT (no camera, or it follows no path).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_get_path(
     editor: *const V_EDITOR,
@@ -426,7 +425,7 @@ pub unsafe extern "C" fn v_editor_get_path(
 /// window was opened are kept. In a scene it replaces the path of the camera shown,
 /// which is then edited. The playhead stays at its frame if the path has it, else goes
 /// to the current point.
-/// V_ERR_ARGUMENT (no camera, or it follows no path), V_ERR_MEMORY.
+/// V_ERR_ARGUMENT (no camera, or it follows no path).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_set_path(editor: *mut V_EDITOR, path: *const V_PATH) -> c_int {
     border(V_ERR_INTERNAL, || {

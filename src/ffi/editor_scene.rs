@@ -15,7 +15,6 @@ use crate::instance;
 
 /// Gets a copy of the scene in a window; if the window has only a path, a scene with a
 /// camera on it.
-/// V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_get_scene(
     editor: *const V_EDITOR,
@@ -40,7 +39,6 @@ pub unsafe extern "C" fn v_editor_get_scene(
 /// when the window was opened. A scene with nothing but one camera on a path is treated
 /// as that path. A drag in progress ends where it is. The playhead stays at its frame if
 /// the scene has it.
-/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_set_scene(editor: *mut V_EDITOR, scene: *const V_SCENE) -> c_int {
     border(V_ERR_INTERNAL, || {

@@ -23,9 +23,8 @@ use crate::formats::{self, Format, Loss, Options, Report, Source};
 ///
 /// What the format cannot hold is left out; v_last_warning() lists such losses, one per
 /// line, or returns "".
-/// V_ERR_ARGUMENT (also no such node, a host interpolation that fails), V_ERR_RANGE,
-/// V_ERR_FORMAT (a folder that holds what would be read first), V_ERR_IO, V_ERR_LIMIT,
-/// V_ERR_MEMORY.
+/// V_ERR_ARGUMENT (also no such node, a host interpolation that fails), V_ERR_FORMAT (a
+/// folder that holds what would be read first), V_ERR_IO.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_export(
     scene: *const V_SCENE,
@@ -61,7 +60,7 @@ pub unsafe extern "C" fn v_scene_export(
 ///
 /// v_last_warning() lists parts of the file that are ignored, and how well a path fits,
 /// one per line, or returns "".
-/// V_ERR_ARGUMENT, V_ERR_IO, V_ERR_FORMAT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// V_ERR_IO, V_ERR_FORMAT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_import(
     file: *const c_char,

@@ -105,7 +105,7 @@ pub extern "C" fn v_main_loop() -> c_int {
 
 /// Lets an XtAppContext run by this thread serve its windows. Needed only for one
 /// created after a window was opened, since opening a window finds all that exist.
-/// V_ERR_ARGUMENT (no Xt, or no such context), V_ERR_LIMIT.
+/// V_ERR_ARGUMENT (no Xt, or no such context).
 #[unsafe(no_mangle)]
 pub extern "C" fn v_set_app_context(app_context: *mut c_void) -> c_int {
     border(V_ERR_INTERNAL, || {

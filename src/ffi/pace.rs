@@ -40,7 +40,6 @@ fn finite(numbers: [(f64, &'static str); 3]) -> Answer<()> {
 /// kind  V_EASE_...
 /// rise, fall  fractions of the time for speeding up and slowing down, not negative,
 ///     together at most 1
-/// V_ERR_ARGUMENT, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_ease(
     kind: c_int,

@@ -2,11 +2,13 @@
 
 use std::cell::Cell;
 use std::ffi::{c_double, c_int, c_void};
+use std::sync::TryLockError;
 use std::time::{Duration, Instant};
 
 use super::border::border;
 use super::status::{
-    Answer, Failure, V_ERR_INTERNAL, V_ERR_REFUSED, V_OK, clear_last_error, clear_last_warning,
+    Answer, Failure, V_ERR_BUSY, V_ERR_INTERNAL, V_ERR_REFUSED, V_OK, clear_last_error,
+    clear_last_warning,
 };
 use crate::tools::fit::Progress;
 
@@ -27,9 +29,25 @@ thread_local! {
     static WITHIN: Cell<u32> = const { Cell::new(0) };
 }
 
-/// Whether this thread is within its callback: the call in progress may hold a path.
-pub(super) fn is_running() -> bool {
-    WITHIN.get() > 0
+const BUSY: Failure = Failure::Border(
+    V_ERR_BUSY,
+    "this path or scene is in use, and cannot be waited for within a progress callback",
+);
+
+/// The lock of a path or scene. Within a progress callback the call in progress may hold it, or
+/// another thread that waits for one of ours, so a callback does not wait.
+pub(super) fn locked<G, E>(
+    wait: impl FnOnce() -> Result<G, E>,
+    take: impl FnOnce() -> Result<G, TryLockError<G>>,
+    spoiled: Failure,
+) -> Answer<G> {
+    if WITHIN.get() == 0 {
+        return wait().map_err(|_| spoiled);
+    }
+    take().map_err(|error| match error {
+        TryLockError::WouldBlock => BUSY,
+        TryLockError::Poisoned(_) => spoiled,
+    })
 }
 
 /// Does work that the thread's callback may end.

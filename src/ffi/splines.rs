@@ -48,7 +48,6 @@ unsafe fn keys_and_times<'a>(
 /// key_times  the time of each key, strictly increasing
 /// count  at least 2
 /// when  from the first time to the last
-/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 /// cbindgen:ptrs-as-arrays=[[q; 4]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_quat_spline(
@@ -70,7 +69,6 @@ pub unsafe extern "C" fn v_quat_spline(
 
 /// Like v_quat_spline(), on a cubic spherical curve. tcb has tension, continuity and
 /// bias of each key, from -1 to 1; NULL: all zero.
-/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 /// cbindgen:ptrs-as-arrays=[[q; 4]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_quat_tcb_spline(
@@ -106,7 +104,6 @@ pub unsafe extern "C" fn v_quat_tcb_spline(
 /// section, the acceleration is joined too, which depends on more of both sections.)
 ///
 /// before, after  the adjacent speed of the section before and after; NULL: no section
-/// V_ERR_ARGUMENT, V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[speed; 10]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_speed_curve(

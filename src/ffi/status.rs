@@ -129,6 +129,8 @@ pub(super) enum Failure {
     NoWindow { name: &'static str, given: c_ulong },
     #[error("there is no tool \"{0}\" for a path")]
     NoTool(Text),
+    #[error("there are no \"{0}\"; known: nodes, markers, pins, tracks, shapes, deformations")]
+    NoKind(Text),
     #[error("the last tool reported no number \"{0}\"")]
     NoNumber(Text),
     /// An error of a property, which counts as its name does.
@@ -221,6 +223,7 @@ impl Failure {
             | Self::Zero(_)
             | Self::NoTool(_)
             | Self::NoNumber(_)
+            | Self::NoKind(_)
             | Self::NotPositive { .. } => V_ERR_ARGUMENT,
             Self::Size { .. } | Self::NoRoom { .. } => V_ERR_SIZE,
             Self::TooMany { .. } => V_ERR_LIMIT,

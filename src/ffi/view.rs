@@ -8,7 +8,7 @@ use super::border::border;
 use super::pointers::{self, Growing, GrowingOut, Out, read_growing};
 use super::status::V_ERR_INTERNAL;
 use super::types::{V_POSE, V_VIEW};
-use crate::math::view::{View, fov_from_zoom, gl_matrix, zoom_from_fov};
+use crate::math::view::{View, fov_from_zoom, zoom_from_fov};
 
 fn from_c(view: &V_VIEW) -> View {
     View {
@@ -51,8 +51,8 @@ unsafe impl Growing for V_VIEW {
 /// numbers, row by row, for column vectors. In a parallel projection, x and y are then
 /// from -1 to 1, z 0 in the front plane and -1 in the back plane; in a perspective
 /// projection, |x| and |y| at most z, and z 1 in the back plane.
-/// V_ERR_SIZE, V_ERR_ARGUMENT (up parallel to normal), V_ERR_RANGE (prp not in front of
-/// the front plane, back plane not behind it, empty window).
+/// V_ERR_ARGUMENT (up parallel to normal), V_ERR_RANGE (prp not in front of the front
+/// plane, back plane not behind it, empty window).
 /// cbindgen:ptrs-as-arrays=[[m; 16]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_view_matrix(view: *const V_VIEW, m: *mut f64) -> c_int {
@@ -69,7 +69,6 @@ pub unsafe extern "C" fn v_view_matrix(view: *const V_VIEW, m: *mut f64) -> c_in
 /// Gets the perspective view of a camera in a pose. aspect is the picture's width
 /// divided by its height; front and back are the planes' distances from the camera, 0 <
 /// front < back.
-/// V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_view_from_pose(
     pose: *const V_POSE,
@@ -90,23 +89,6 @@ pub unsafe extern "C" fn v_view_from_pose(
         let view = View::from_pose(vrp, vpn, vup, pose.zoom, aspect, front, back)?;
         // SAFETY: as above.
         unsafe { out.answer(to_c(&view)) }
-    })
-}
-
-/// Gets the matrix of a camera in a pose as gluLookAt() makes it, for glLoadMatrixd():
-/// 16 numbers, column by column, from the world to the eye, looking along -z.
-/// V_ERR_ARGUMENT, V_ERR_RANGE.
-/// cbindgen:ptrs-as-arrays=[[m; 16]]
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn v_pose_gl_matrix(pose: *const V_POSE, m: *mut f64) -> c_int {
-    border(V_ERR_INTERNAL, || {
-        let m = Out::array(m, "m")?;
-        // SAFETY: a pose, as the header demands.
-        let pose = unsafe { pointers::read(pose, "pose") }?;
-        let [vrp, vpn, vup] = [pose.vrp, pose.vpn, pose.vup].map(DVec3::from_array);
-        let matrix = gl_matrix(vrp, vpn, vup)?;
-        // SAFETY: room for 16 doubles, as the header says.
-        unsafe { m.answer(matrix.to_cols_array()) }
     })
 }
 
