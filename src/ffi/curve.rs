@@ -50,7 +50,7 @@ pub(super) fn between(value: f64, end: f64, name: &'static str) -> Answer<f64> {
     }
 }
 
-/// ==== The curve ====
+/// ==== The curve: where a path leads, whatever its speed ====
 ///
 /// Gets the length of the whole curve.
 #[unsafe(no_mangle)]

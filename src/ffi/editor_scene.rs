@@ -30,14 +30,13 @@ pub unsafe extern "C" fn v_editor_get_scene(
     })
 }
 
-/// Replaces the scene in a window, in one step that the user can undo, even if it is
-/// equal, with its space, title, comment and so on, and its wireframe object if it has
-/// one. The space in the options applies only to what the window began with.
+/// Replaces the scene in a window, in one step that the user can undo, with its
+/// space, title, comment and so on, and its wireframe object if it has one.
 ///
-/// If the new scene has a node with the name of the edited one and a path, that path is
-/// edited; otherwise that of the camera shown, if it has one, with the base speeds given
-/// when the window was opened. A scene with nothing but one camera on a path is treated
-/// as that path. A drag in progress ends where it is. The playhead stays at its frame if
+/// If the new scene has a node with the name of the edited one and a path, that path
+/// is edited; otherwise that of the camera shown, if it has one, with the base speeds
+/// given when the window was opened. A scene with nothing but one camera on a path is
+/// treated as that path. A drag in progress ends. The playhead stays at its frame if
 /// the scene has it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_set_scene(editor: *mut V_EDITOR, scene: *const V_SCENE) -> c_int {

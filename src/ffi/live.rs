@@ -34,7 +34,7 @@ fn command(
     Ok(V_OK)
 }
 
-/// ==== The window and the host's own picture ====
+/// ==== Windows and your picture: what both show ====
 ///
 /// Shows your program's camera as a ghost, which the user can add to the path as a
 /// point; NULL hides it. vpn and vup have any length but 0.
@@ -180,16 +180,15 @@ pub unsafe extern "C" fn v_editor_raise(editor: *mut V_EDITOR) -> c_int {
 }
 
 /// Closes all windows that this thread has open, also those of v_haupt(), for your
-/// program's Quit. Windows opened meanwhile stay open. You still free the handles with
-/// v_editor_close().
+/// program's Quit. You still free the handles with v_editor_close().
 ///
 /// ask  0: without asking; unsaved work is offered at the next start. Otherwise each
-///     window in turn asks about unsaved work and then calls on_close or ende, until all
-///     are closed or one refuses; meanwhile all are served
+///     window in turn asks about unsaved work and then calls on_close or ende, until
+///     all are closed or one refuses; meanwhile all are served
 ///
-/// Meanwhile the call handles the events, timers and inputs of a program with Xt, in the
-/// context that this thread ran last; no longjmp() and no exception may leave their
-/// callbacks. A second call raises the window that asks.
+/// Meanwhile the call handles the events, timers and inputs of a program with Xt, in
+/// the context that this thread ran last; no longjmp() and no exception may leave
+/// their callbacks. A second call raises the window that asks.
 /// V_ERR_REFUSED (the windows before that one are closed), V_ERR_BUSY (within a
 /// callback, or while an earlier call asks), V_ERR_DISPLAY, V_ERR_LIMIT (no
 /// descriptors).

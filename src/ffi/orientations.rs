@@ -129,7 +129,7 @@ unsafe fn read_orientation(o: *const V_ORIENTATION) -> Answer<Orientation> {
     from_c(&unsafe { read_growing(o, "o") }?)
 }
 
-/// ==== Orientations ====
+/// ==== Orientations: how the camera looks at a point ====
 ///
 /// Fills in an orientation: relative target (0, 0, -0.4), roll 0, zoom 24, tension,
 /// continuity and bias 0, all speeds 50, hold 0.
@@ -256,13 +256,11 @@ pub unsafe extern "C" fn v_path_set_absolute(
     })
 }
 
-/// Sets which way is up for an orientation, before its roll. Between two orientations
-/// with the same view and up, the camera keeps both throughout.
+/// Sets which way is up for an orientation, before its roll.
 ///
 /// up  "axis"     the up axis of the space, the default
 ///     "point"    towards up_point
-///     "path"     towards the position on up_path at the same fraction of its length.
-///                A closed one ends where it begins
+///     "path"     towards the position on up_path at the same fraction of its length
 ///     "minimal"  starts with the up axis and is carried on without turning about the
 ///                view, through all consecutive orientations that have it; on a closed
 ///                path, the angle missing at the end is spread over the length
@@ -303,8 +301,8 @@ const UPS: [&CStr; 7] = [
     c"axis", c"point", c"path", c"minimal", c"frenet", c"y", c"z",
 ];
 
-/// Gets the up of an orientation (a constant text), the point of "point" or zeros, and
-/// an open path with the curve of "path", which you free, or NULL.
+/// Gets the up of an orientation (a constant text), the point of "point" or zeros,
+/// and an open path with the curve of "path", which you free, or NULL.
 /// cbindgen:ptrs-as-arrays=[[up_point; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_up(

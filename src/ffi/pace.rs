@@ -9,7 +9,7 @@ use super::status::{Answer, Failure, V_ERR_INTERNAL, V_OK};
 use crate::limits::BASE_SPEED;
 use crate::path::{Ease, EaseKind};
 
-/// ==== Kinds of easing, see v_ease() ====
+/// Kinds of easing, see v_ease().
 ///
 /// V_EASE_SINE       the speed rises and falls as a quarter of a sine
 /// V_EASE_PARABOLIC  it rises and falls as a straight line
@@ -32,8 +32,6 @@ fn finite(numbers: [(f64, &'static str); 3]) -> Answer<()> {
     }
 }
 
-/// ==== Speed profile ====
-///
 /// Gets distance and speed of an ease at t, from 0 to 1: the fraction of the distance
 /// covered, 0 to 1, and its derivative.
 ///

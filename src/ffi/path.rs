@@ -82,7 +82,7 @@ pub(super) fn edit_and<R>(
     })
 }
 
-/// ==== Paths ====
+/// ==== Paths: made, copied, loaded, saved ====
 ///
 /// Makes a new path: two points at (-0.6, 0.2, 0.8) and (0.6, 0.2, 0.8), each with one
 /// orientation of v_orientation_init().
@@ -134,8 +134,7 @@ pub unsafe extern "C" fn v_path_load(file: *const c_char, path: *mut *mut V_PATH
     })
 }
 
-/// Like v_path_load(), from the text of a .vid file: size bytes, which need not be
-/// zero-terminated.
+/// Like v_path_load(), from the text of a .vid file: size bytes.
 /// V_ERR_FORMAT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_load_from_memory(

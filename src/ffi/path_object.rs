@@ -11,8 +11,6 @@ use super::status::V_ERR_INTERNAL;
 use super::types::V_PATH;
 use crate::document::Edit;
 
-/// ==== The object of a path ====
-///
 /// Sets the object shown with a path; NULL: none. The window draws its lines and the
 /// edges of its triangles; beyond 1,000,000 points of lines, only points where they end
 /// or bend. v_path_check() uses the triangles.

@@ -23,7 +23,7 @@ pub(super) fn point<'a>(
     Ok((at, point.ok_or(OutOfRange::NoPoint { point: at, last })?))
 }
 
-/// ==== Points ====
+/// ==== Points: what the curve passes through ====
 ///
 /// Gets the number of points, at least 2.
 #[unsafe(no_mangle)]
@@ -37,9 +37,8 @@ pub unsafe extern "C" fn v_path_point_count(path: *const V_PATH, count: *mut c_i
 }
 
 /// Inserts a point before index at; if at is their number, appends it. It copies all
-/// other properties from the point before it, or from the one after it if at is 0; an
-/// absolute target equal to its position becomes relative. Coordinates are at most 1e9
-/// times half_size from the centre of the space.
+/// other properties from the point before it, or from the first one; an absolute
+/// target equal to its position becomes relative.
 /// cbindgen:ptrs-as-arrays=[[xyz; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_insert_point(
@@ -55,8 +54,8 @@ pub unsafe extern "C" fn v_path_insert_point(
     })
 }
 
-/// Divides a segment with 1 to 10 points on its curve, at equal arc lengths. They copy
-/// all other properties from the point before them, so the motion changes;
+/// Divides a segment with 1 to 10 points on its curve, at equal arc lengths. They
+/// copy all other properties from the point before them, so the motion changes;
 /// v_path_insert_on_curve() keeps it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_divide_segment(

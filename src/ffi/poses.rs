@@ -13,7 +13,7 @@ use crate::error::EngineError;
 use crate::formats;
 use crate::path::Pose;
 
-/// ==== Sections and poses ====
+/// ==== Poses: the camera at each frame ====
 ///
 /// Gets the number of sections. A section leads from one orientation to the next, at
 /// the same point or at the next one, in the order in which the camera takes them.
@@ -142,8 +142,8 @@ pub unsafe extern "C" fn v_path_sample_range(
     })
 }
 
-/// Gets the pose at a frame. At a whole frame it equals that of v_path_sample() bit for
-/// bit.
+/// Gets the pose at a frame. At a whole frame it equals that of v_path_sample()
+/// exactly.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_pose(path: *const V_PATH, frame: f64, pose: *mut V_POSE) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -192,10 +192,10 @@ pub(super) fn frame_of(given: f64, frames: usize, name: Name) -> Answer<f64> {
         .ok_or(failure)
 }
 
-/// Makes a list of all poses, see V_KAMERAPAR. Set the number of first before, to -1 if
-/// there is no data yet. A list that VIDES made there before is freed when the new one is
-/// complete, and unchanged if the call fails; any other is forgotten but not freed. No
-/// other thread may use the list meanwhile.
+/// Makes a list of all poses, see V_KAMERAPAR. Set the number of first before, to -1
+/// if there is no data yet. A list that VIDES made there before is freed when the new
+/// one is complete; any other is not freed. No other thread may use the list
+/// meanwhile.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_to_list(path: *const V_PATH, first: *mut V_KAMERAPAR) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -211,8 +211,9 @@ pub unsafe extern "C" fn v_path_to_list(path: *const V_PATH, first: *mut V_KAMER
 }
 
 /// Writes all poses to a text file, replaced atomically, one line each: VRP, VPN, VUP
-/// (x, y and z each) and zoom, as C prints them by "%3.4f", separated by one space. The
-/// decimal sign is always a point; minus zero is written as zero.
+/// (x, y and z each) and zoom, as C prints them by "%3.4f", separated by one space.
+/// The decimal sign is a point; minus zero is written as zero. Zoom is the path's, 1
+/// to 2000 with its fraction: only the list's int ends at 100.
 /// V_ERR_IO.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_write_ascii(path: *const V_PATH, file: *const c_char) -> c_int {

@@ -83,18 +83,14 @@ fn asked(share: f64) -> bool {
     answer != 0
 }
 
-/// ==== Progress ====
-///
 /// Sets the function that the calling thread's long calls (those with V_ERR_REFUSED,
-/// except v_editors_close()) call at most ten times a second, not in the first tenth;
-/// NULL, the default: none. With up to a million triangles they call it at least twice
-/// a second, except while they read the object: about two seconds for a million.
+/// except v_editors_close()) call at most ten times a second; NULL, the default:
+/// none.
 ///
 /// progress  share is from 0 to 1, and may fall when another round begins. If it
-///     returns 0, the call fails with V_ERR_REFUSED and changes nothing. In it, a path
-///     in use, such as that of the call, is V_ERR_BUSY. No exception or longjmp() may
-///     leave it
-/// user  your pointer, passed to progress
+///     returns 0, the call fails with V_ERR_REFUSED and changes nothing. In it, a
+///     path or scene in use, such as that of the call, is V_ERR_BUSY. No exception or
+///     longjmp() may leave it
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_set_progress(
     progress: Option<unsafe extern "C" fn(share: c_double, user: *mut c_void) -> c_int>,

@@ -15,7 +15,7 @@ use crate::document::{Document, Form, Given, SpaceTable, properties};
 use crate::property::{Kind, Owner, list};
 use crate::tools::check::FindingKind;
 
-/// ==== What properties are, see v_property_info() ====
+/// Kinds of property, and the functions for each.
 ///
 /// V_PROPERTY_NUMBER   v_path_set_number(), v_scene_set_number()
 /// V_PROPERTY_NUMBERS  v_path_set_numbers(), v_scene_set_numbers()
@@ -113,10 +113,9 @@ fn known() -> &'static [Known] {
     })
 }
 
-/// ==== Properties by name ====
+/// ==== Properties: values of paths and scenes by their names in .vid files ====
 ///
-/// Gets what is known of a property, counted from 0, of paths, scenes and limits.
-/// v_property_count() returns their number.
+/// Gets what is known of a property of paths, scenes or checks, counted from 0.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_property_info(at: c_int, property: *mut V_PROPERTY) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -180,9 +179,9 @@ pub(super) fn thread_key(name: fmt::Arguments<'_>) -> *const c_char {
 }
 
 /// Returns the name of a property of an orientation, counted from 0, for loops:
-/// v_path_key(1, 2, "zoom") is "point.2.view.3.zoom". With orientation -1 it is one of
-/// the point, "point.2.position". Valid until the same thread's next call of this
-/// function or v_scene_key(); "" if key is NULL or not UTF-8, or an index negative.
+/// v_path_key(1, 2, "zoom") is "point.2.view.3.zoom"; with orientation -1 one of the
+/// point, "point.2.position". Valid until the same thread's next call of this
+/// function or v_scene_key(); "" if an argument is not valid.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_key(
     point: c_int,
@@ -200,18 +199,17 @@ pub unsafe extern "C" fn v_path_key(
     })
 }
 
-/// Sets a number of a path by its name, atomically, like `vides set`.
+/// Sets a number of a path by its name, atomically.
 ///
 /// name  a key of .vid files, points and orientations counted from 1: "fps",
-///     "point.2.zoom" (of its first orientation), "point.2.view.3.zoom", or a limit of
-///     v_path_check(), "check.turning". The unit at its end may be missing.
-///     docs/reference/files.md lists them, v_property_info() too; v_path_key() makes names of
-///     indices
+///     "point.2.zoom" (of its first orientation), "point.2.view.3.zoom",
+///     "space.half_size", or a limit of v_path_check(), "check.turning". The unit at
+///     its end may be missing. docs/reference/files.md lists them
 /// value  of a limit, INFINITY disables the check
 ///
-/// These functions fail with V_ERR_RANGE (no such property, or a value out of range),
-/// V_ERR_ARGUMENT (a property of another kind, another invalid value), V_ERR_LIMIT or
-/// V_ERR_MEMORY. v_last_error() names the property and counts as its name does, from 1.
+/// These functions fail with V_ERR_RANGE (no such property, or a value out of range)
+/// or V_ERR_ARGUMENT (a property of another kind, another invalid value).
+/// v_last_error() names the property and counts from 1.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_number(
     path: *mut V_PATH,
@@ -222,7 +220,7 @@ pub unsafe extern "C" fn v_path_set_number(
     unsafe { set(name, || Ok(Given::Number(value)), setter(path)) }
 }
 
-/// Gets a number by its name; NaN if it is not set.
+/// Gets a number; NaN if it is not set.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_number(
     path: *const V_PATH,
@@ -233,10 +231,10 @@ pub unsafe extern "C" fn v_path_get_number(
     unsafe { get(name, value, getter(path, number)) }
 }
 
-/// Sets several numbers by their name: "point.2.position" (x y z), "point.2.own"
-/// (tension, continuity, bias), "base_speeds", "point.2.ease" (V_EASE_..., rise, fall,
-/// cruise), "point.2.distance" (pairs of time and distance). With count 0 the property
-/// is again that of a new path, or no longer set.
+/// Sets several numbers: "point.2.position", "point.2.own" (tension, continuity,
+/// bias), "base_speeds", "point.2.ease" (V_EASE_..., rise, fall, cruise),
+/// "point.2.distance" (pairs of time and distance), "space.centre". With count 0 the
+/// property is again that of a new path, or no longer set.
 /// V_ERR_ARGUMENT (also a wrong count).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_numbers(
@@ -249,7 +247,7 @@ pub unsafe extern "C" fn v_path_set_numbers(
     unsafe { set(name, || numbers_given(values, count), setter(path)) }
 }
 
-/// Gets several numbers by their name; none if they are not set.
+/// Gets several numbers; none if they are not set.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_numbers(
     path: *const V_PATH,
@@ -270,9 +268,9 @@ pub unsafe extern "C" fn v_path_get_numbers(
     }
 }
 
-/// Sets a text by its name: "title", "point.2.name", or the name of a choice: "curve",
-/// "orientation_mode". Other properties, too, from their text in a .vid file: "30",
-/// "[0, 1, 2]"; for these "" restores the value of a new path.
+/// Sets a text: "title", "point.2.name", or the name of a choice: "curve",
+/// "space.up". Other properties, too, from their text in a .vid file, "[0, 1, 2]";
+/// for these "" restores the value of a new path.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_text(
     path: *mut V_PATH,
@@ -283,8 +281,7 @@ pub unsafe extern "C" fn v_path_set_text(
     unsafe { set(name, || text_given(value), setter(path)) }
 }
 
-/// Gets a text or a choice by its name; another property as in a .vid file. "" if it is
-/// not set.
+/// Gets a text or a choice; another property as in a .vid file. "" if it is not set.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_text(
     path: *const V_PATH,
@@ -305,7 +302,7 @@ pub unsafe extern "C" fn v_path_get_text(
     }
 }
 
-/// Sets a flag by its name: not 0 or 0.
+/// Sets a flag, "closed": not 0 or 0.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_flag(
     path: *mut V_PATH,
@@ -316,7 +313,7 @@ pub unsafe extern "C" fn v_path_set_flag(
     unsafe { set(name, || Ok(Given::Flag(value != 0)), setter(path)) }
 }
 
-/// Gets a flag by its name: 1 or 0.
+/// Gets a flag: 1 or 0.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_flag(
     path: *const V_PATH,

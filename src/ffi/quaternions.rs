@@ -48,7 +48,7 @@ pub(super) fn view(vpn: DVec3, vup: DVec3) -> Answer<(DVec3, DVec3)> {
     Ok((view, view.cross(unit(side))))
 }
 
-/// ==== Toolbox: quaternions ====
+/// ==== Toolbox: formulas without a path ====
 ///
 /// Gets the spherical linear interpolation from a (t = 0) to b (t = 1) by the shorter
 /// arc, at any finite t.

@@ -163,7 +163,7 @@ fn node_for_c(node: &Node, number: impl Fn(usize) -> Option<usize>) -> Answer<V_
     })
 }
 
-/// ==== Scenes: made, loaded, saved, freed ====
+/// ==== Scenes: nodes that move on one timeline ====
 ///
 /// Fills in a node of this kind at the origin: visible, scale 1, rotation 1 0 0 0, no
 /// parent, no aim, zoom 24, white, intensity 1, a cone of 20 and 30 degrees, planes at
@@ -180,9 +180,8 @@ pub unsafe extern "C" fn v_node_init(node: *mut V_NODE, kind: c_int) {
     });
 }
 
-/// Makes a new scene: one camera, "camera", on the path of v_path_new(), from frame 1.
-/// For another space, call v_scene_set_space(), then v_scene_set_path() for node 0 with a
-/// path of v_path_new_in_space().
+/// Makes a new scene: one camera, "camera", on the path of v_path_new(), from frame
+/// 1.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_new(scene: *mut *mut V_SCENE) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -195,10 +194,10 @@ pub unsafe extern "C" fn v_scene_new(scene: *mut *mut V_SCENE) -> c_int {
 
 /// Reads a scene from a .vid file; one with only a path gives a camera on it.
 ///
-/// An object is left empty if its mesh file is missing, malformed, or outside the folder
-/// of the .vid file once links are followed (v_scene_load_geometry() reads it from
-/// anywhere); one that has changed is read as it is. v_last_warning() reports this, or
-/// returns "".
+/// An object is left empty if its mesh file is missing, malformed, or outside the
+/// folder of the .vid file once links are followed (v_scene_load_geometry() reads it
+/// from anywhere); one that has changed is read as it is. v_last_warning() reports
+/// this.
 /// V_ERR_IO, V_ERR_FORMAT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_load(file: *const c_char, scene: *mut *mut V_SCENE) -> c_int {
@@ -211,9 +210,8 @@ pub unsafe extern "C" fn v_scene_load(file: *const c_char, scene: *mut *mut V_SC
     })
 }
 
-/// Like v_scene_load(), from the text of a .vid file: size bytes, which need not be
-/// zero-terminated. Relative names of mesh files are looked up in the current
-/// directory.
+/// Like v_scene_load(), from the text of a .vid file: size bytes. Relative names of
+/// mesh files are looked up in the current directory.
 /// V_ERR_FORMAT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_load_from_memory(
@@ -292,7 +290,7 @@ pub unsafe extern "C" fn v_scene_free(scene: *mut V_SCENE) {
     });
 }
 
-/// ==== Nodes ====
+/// ==== Nodes: groups, objects, lights and cameras ====
 ///
 /// Adds a node after the others. *node receives its number; it may be NULL. name is
 /// unique in its scene, one line, not empty.
@@ -322,9 +320,9 @@ pub(super) fn copied_name(text: &str) -> Answer<String> {
     copied(text)
 }
 
-/// Removes a node with all its descendants. The numbers of later nodes decrease; nodes
-/// that aimed at a removed one no longer aim. Removing many in a row costs as much as
-/// one, even if you read nodes in between.
+/// Removes a node with all its descendants. The numbers of later nodes decrease;
+/// nodes that aimed at a removed one no longer aim. Removing many in a row costs as
+/// much as one, even if you read nodes in between.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_remove_node(scene: *mut V_SCENE, node: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -432,8 +430,6 @@ pub unsafe extern "C" fn v_scene_set_node(
     })
 }
 
-/// ==== What moves a node ====
-///
 /// Makes a node follow a path; NULL: none. Pose n is shown at the scene's frame
 /// start_frame + n - 1. The path moves position, rotation and zoom in the parent's
 /// coordinates; a node with a track for one of them cannot have a path.

@@ -18,7 +18,7 @@ fn entry<'a, T>(all: &'a [T], at: usize, what: &'static str) -> Answer<&'a T> {
     all.get(at).ok_or(Failure::NoEntry { what, at, count })
 }
 
-/// ==== What has been set in a scene ====
+/// ==== Contents: what has been set in a scene ====
 ///
 /// Gets how many there are of a scene's "nodes", "markers" or "pins" (node is then
 /// ignored), or of a node's "tracks", "shapes" or "deformations".
@@ -226,7 +226,7 @@ pub unsafe extern "C" fn v_scene_remove_shape(
 
 /// Gets the kind, parameters and box of an object's deformation. A box of 1 1 1 -1 -1
 /// -1, which no other is, stands for the bounds of the geometry: give
-/// v_scene_add_deformation() NULL then. Any result may be NULL.
+/// v_scene_add_deformation() NULL then.
 /// V_ERR_ARGUMENT (no object).
 /// cbindgen:ptrs-as-arrays=[[box; 6]]
 #[unsafe(no_mangle)]

@@ -10,10 +10,8 @@ use super::scene_handles;
 use super::scene_types::V_SCENE;
 use crate::document::{Given, SceneDocument};
 
-/// ==== Properties of scenes by name ====
-///
-/// Returns the name of a property of a node, counted from 0, for loops, like
-/// v_path_key(): v_scene_key(1, "intensity") is "node.2.intensity".
+/// Returns the name of a property of a node, counted from 0, like v_path_key():
+/// v_scene_key(1, "intensity") is "node.2.intensity".
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_key(node: c_int, key: *const c_char) -> *const c_char {
     border(c"".as_ptr(), || {
@@ -23,11 +21,9 @@ pub unsafe extern "C" fn v_scene_key(node: c_int, key: *const c_char) -> *const 
     })
 }
 
-/// Sets a number of a scene by its name, like v_path_set_number().
-///
-/// name  "fps", "first_frame", a limit, "check.turning", or a value of a node at rest by its
-///     name or its number from 1: "node.lamp.intensity", "node.2.intensity".
-///     docs/reference/files.md lists them; v_scene_key() makes names of indices
+/// The same functions for scenes. name is "fps", "first_frame", "space.half_size", a
+/// limit, or a value of a node at rest by its name or its number from 1:
+/// "node.lamp.intensity", "node.2.intensity".
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_number(
     scene: *mut V_SCENE,
@@ -38,7 +34,7 @@ pub unsafe extern "C" fn v_scene_set_number(
     unsafe { set(name, || Ok(Given::Number(value)), setter(scene)) }
 }
 
-/// Gets a number by its name; NaN if it is not set.
+/// See v_path_get_number().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_number(
     scene: *const V_SCENE,
@@ -49,7 +45,7 @@ pub unsafe extern "C" fn v_scene_get_number(
     unsafe { get(name, value, getter(scene, number)) }
 }
 
-/// Sets several numbers by their name, like v_path_set_numbers(): "node.lamp.colour".
+/// See v_path_set_numbers().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_numbers(
     scene: *mut V_SCENE,
@@ -61,7 +57,7 @@ pub unsafe extern "C" fn v_scene_set_numbers(
     unsafe { set(name, || numbers_given(values, count), setter(scene)) }
 }
 
-/// Gets several numbers by their name.
+/// See v_path_get_numbers().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_numbers(
     scene: *const V_SCENE,
@@ -82,7 +78,7 @@ pub unsafe extern "C" fn v_scene_get_numbers(
     }
 }
 
-/// Sets a text by its name, like v_path_set_text(): "title", "comment".
+/// See v_path_set_text().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_text(
     scene: *mut V_SCENE,
@@ -93,7 +89,7 @@ pub unsafe extern "C" fn v_scene_set_text(
     unsafe { set(name, || text_given(value), setter(scene)) }
 }
 
-/// Gets a text by its name, like v_path_get_text().
+/// See v_path_get_text().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_text(
     scene: *const V_SCENE,
@@ -114,7 +110,7 @@ pub unsafe extern "C" fn v_scene_get_text(
     }
 }
 
-/// Sets a flag by its name, not 0 or 0: "node.lamp.visible".
+/// See v_path_set_flag().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_flag(
     scene: *mut V_SCENE,
@@ -125,7 +121,7 @@ pub unsafe extern "C" fn v_scene_set_flag(
     unsafe { set(name, || Ok(Given::Flag(value != 0)), setter(scene)) }
 }
 
-/// Gets a flag by its name: 1 or 0.
+/// See v_path_get_flag().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_flag(
     scene: *const V_SCENE,

@@ -10,8 +10,6 @@ use super::scene_types::*;
 use super::status::{Answer, Failure, V_ERR_INTERNAL};
 use crate::scene::Keep;
 
-/// ==== What is shown of a scene ====
-///
 /// Sets the camera that is shown; -1: the first one on a path, else the first one. The
 /// choice follows the node, is removed with it, and is saved.
 /// V_ERR_ARGUMENT (no camera).
@@ -34,8 +32,8 @@ pub unsafe extern "C" fn v_scene_get_camera(scene: *const V_SCENE, node: *mut c_
     })
 }
 
-/// Sets the first and last frame; if first > last, they follow from all paths and keys.
-/// They are saved.
+/// Sets the first and last frame; if first > last, they follow from all paths and
+/// keys. They are saved.
 /// V_ERR_LIMIT (more than 100000000 frames).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_range(scene: *mut V_SCENE, first: f64, last: f64) -> c_int {

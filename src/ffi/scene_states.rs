@@ -29,7 +29,7 @@ fn report(document: &SceneDocument, warnings: &Warnings) {
     }
 }
 
-/// ==== The scene at a frame ====
+/// ==== Evaluation: the scene at a frame ====
 ///
 /// Gets the first and last frame: those of v_scene_set_range(), otherwise those of all
 /// paths and keys; 1 and 1 if nothing moves.
@@ -51,12 +51,11 @@ pub unsafe extern "C" fn v_scene_frame_range(
     })
 }
 
-/// Gets the states of all nodes at any finite frame, in the order of their numbers. Any
-/// result may be NULL.
+/// Gets the states of all nodes at any finite frame, in the order of their numbers.
 ///
-/// If a "host:" interpolation is not registered, fails or returns a number that is not
-/// finite, its channel steps from key to key; v_last_warning() reports it, or returns
-/// "".
+/// If a "host:" interpolation is not registered, fails or returns a number that is
+/// not finite, its channel steps from key to key; v_last_warning() reports it, also
+/// after the functions below.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_evaluate(
     scene: *const V_SCENE,
@@ -103,7 +102,6 @@ pub unsafe extern "C" fn v_scene_evaluate(
 }
 
 /// Gets count states of one node, at the frames first, first + frame_step and so on.
-/// v_last_warning() as for v_scene_evaluate().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_sample(
     scene: *const V_SCENE,
@@ -145,7 +143,7 @@ pub unsafe extern "C" fn v_scene_sample(
 }
 
 /// Gets the value of a channel at a frame, with or without a track, and the number of
-/// its components. Any result may be NULL. v_last_warning() as for v_scene_evaluate().
+/// its components.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_value(
     scene: *const V_SCENE,
@@ -179,10 +177,9 @@ pub unsafe extern "C" fn v_scene_value(
     })
 }
 
-/// Gets the points of an object at a frame, morphed and deformed, in the coordinates of
-/// the node, and their colours, morphed likewise (unchanged if the mesh has none):
-/// capacity and *points count points. v_last_warning() as for v_scene_evaluate().
-/// V_ERR_ARGUMENT (no object).
+/// Gets the points of an object at a frame, morphed and deformed, in the coordinates
+/// of the node, and their colours, morphed likewise (unchanged if the mesh has none).
+/// capacity and *points count points.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_vertices(
     scene: *const V_SCENE,

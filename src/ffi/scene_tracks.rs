@@ -60,7 +60,7 @@ fn width(scene: *const V_SCENE, node: usize, channel: &Channel, euler: bool) -> 
     })
 }
 
-/// ==== Tracks ====
+/// ==== Tracks: values by keys ====
 ///
 /// Sets the keys of a channel, replacing older ones; 0 keys remove the track.
 ///
@@ -150,7 +150,7 @@ fn both(after: c_int) -> Answer<(Extrapolation, Extrapolation)> {
 }
 
 /// Gets the keys of a channel as set. *keys receives their number, 0 if there is no
-/// track (*interpolation is then ""). capacity counts keys. Any result may be NULL.
+/// track (*interpolation is then ""). capacity counts keys.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_track(
     scene: *const V_SCENE,
@@ -310,7 +310,7 @@ pub unsafe extern "C" fn v_register_interpolation(
     })
 }
 
-/// ==== Objects ====
+/// ==== Objects: meshes, shapes and deformations ====
 ///
 /// Sets the geometry of an object. If the object has shapes, the mesh must have as many
 /// points as they have.

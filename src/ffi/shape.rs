@@ -11,12 +11,10 @@ use super::types::V_PATH;
 use crate::document::Edit;
 use crate::path::curve;
 
-/// ==== Tangents, points on the curve ====
-///
 /// Gets the tangents of the curve at a point, equal at an end of an open path, and
-/// whether they are custom: 1 or 0. The property "tangents" sets them (the derivatives with
-/// which the curve reaches and leaves the point, a segment counting 1), which does not
-/// change the curve, except for rounding in a cubic spline.
+/// whether they are custom: 1 or 0. The property "tangents" sets them: the
+/// derivatives with which the curve reaches and leaves the point, a segment counting
+/// 1.
 /// cbindgen:ptrs-as-arrays=[[before; 3], [after; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_tangents(
@@ -50,14 +48,13 @@ pub unsafe extern "C" fn v_path_get_tangents(
 }
 
 /// Inserts a point on the curve where the camera is at a frame, without changing the
-/// curve, any pose or the number of frames. It gets the nearest whole frame within the
-/// section; a section of one frame becomes two, split where you ask. Neighbours get
-/// custom tangents, angular velocities, slopes of zoom and roll, and a part of the old
-/// speed profile. Such tangents are removed when their point or a neighbour moves alone;
-/// setting the property "tangents" makes them permanent. *at receives the index; it may be NULL.
+/// curve, any pose or the number of frames. It gets the nearest whole frame within
+/// the section; a section of one frame becomes two, split where you ask. Neighbours
+/// get custom tangents, angular velocities, slopes of zoom and roll, and a part of
+/// the old speed profile; such tangents are removed when their point or a neighbour
+/// moves alone, unless you set them. *at receives the index.
 ///
-/// frame  not at a key, not in a pan, not with orientation_mode
-///     "barry-goldman"
+/// frame  not at a key, not in a pan, not with orientation_mode "barry-goldman"
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_insert_on_curve(
     path: *mut V_PATH,

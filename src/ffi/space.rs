@@ -22,17 +22,16 @@ pub(super) fn up_from_c(up: c_int, name: impl Into<Name>) -> Answer<Up> {
     }
 }
 
-/// ==== Spaces ====
+/// ==== Spaces: the scale and the up axis of a path ====
 ///
-/// Makes a new path in a space, a cube in your world, placed as that of v_path_new() is in
-/// its own. half_size is half the length of its edge, up V_UP_Y or V_UP_Z.
+/// Makes a new path in a space, a cube in your world, placed as that of v_path_new()
+/// is in its own. half_size is half the length of its edge, up V_UP_Y or V_UP_Z.
 ///
-/// The properties "space.centre", "space.half_size" and "space.up" change the space of a
-/// path or scene, not its coordinates. Positions, offsets, tangents and lengths are in your
-/// world's units. Base speeds, limits (v_path_check()) and the distances below which
-/// nothing moves count in units of half_size; nothing is farther than 1e9 of them from the
-/// centre. In a scene, "space.up" applies to nodes that aim at others; a path in it has its
-/// own space.
+/// The properties "space.centre", "space.half_size" and "space.up" change the space
+/// of a path or scene, not its coordinates. Base speeds, default limits and the
+/// distances below which nothing moves are relative to half_size; nothing is farther
+/// than 1e9 times half_size from the centre. In a scene, "space.up" applies to nodes
+/// that aim at others; a path in it has its own space.
 /// cbindgen:ptrs-as-arrays=[[centre; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_new_in_space(
@@ -57,10 +56,9 @@ pub unsafe extern "C" fn v_path_new_in_space(
     })
 }
 
-/// Changes the up axis of a path (V_UP_Y, V_UP_Z) without changing any pose, between
-/// frames too. Rolls are then measured from the new axis. Views that track a target or
-/// look ahead get the old axis as their up, "y" or "z" (v_path_set_up()); one that
-/// equals the new axis becomes "axis".
+/// Changes the up axis of a path (V_UP_Y, V_UP_Z) without changing any pose. Rolls
+/// are then measured from the new axis. Views that track a target or look ahead get
+/// the old axis as their up, "y" or "z"; one that equals the new axis becomes "axis".
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_change_up(path: *mut V_PATH, up: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {

@@ -16,7 +16,7 @@ use crate::path::CameraPath;
 use crate::tools::blend;
 use crate::tools::block::{self, Fit};
 
-/// ==== How a block is put in, see v_path_insert_path() ====
+/// How v_path_insert_path() places a block.
 ///
 /// V_FIT_NONE   unchanged
 /// V_FIT_MOVE   moved, so that it begins at the point
@@ -44,8 +44,6 @@ fn range(document: &Document, first: c_int, last: c_int) -> Answer<Vec<usize>> {
     Ok(points)
 }
 
-/// ==== Parts of paths ====
-///
 /// Moves, turns, scales and mirrors the points from first_point to last_point, with
 /// their custom tangents.
 ///
@@ -108,10 +106,10 @@ pub unsafe extern "C" fn v_path_extract(
 }
 
 /// Inserts a copy of a path, block, which may be the same, after point at. Both keep
-/// their curves, the block its targets; where they join, they have one direction. Except
-/// with V_FIT_NONE, the block's first point is merged with that point, which keeps its
-/// views; with V_FIT_SCALE its last point likewise with the next one. A closed block ends
-/// where it begins. Duplicate names get a number.
+/// their curves, the block its targets; where they join, they have one direction.
+/// Except with V_FIT_NONE, the block's first point is merged with that point, which
+/// keeps its views; with V_FIT_SCALE its last point likewise with the next one. A
+/// closed block ends where it begins. Duplicate names get a number.
 /// V_ERR_ARGUMENT (no direction, or no length to scale).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_insert_path(
@@ -149,9 +147,9 @@ pub unsafe extern "C" fn v_path_insert_path(
 }
 
 /// Makes the weighted sum of paths, point by point: positions, curve, targets, roll,
-/// zoom and speeds; also fixed frames (rounded), angular velocities and slopes that all
-/// have. Paths with fewer points are first resampled by length. Everything else comes
-/// from the path with the greatest weight. The count weights have the sum 1.
+/// zoom and speeds; also fixed frames (rounded), angular velocities and slopes that
+/// all have. Paths with fewer points are first resampled by length. Everything else
+/// comes from the path with the greatest weight. The count weights have the sum 1.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_blend(
     paths: *const *mut V_PATH,

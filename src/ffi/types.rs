@@ -11,7 +11,7 @@ use std::mem::offset_of;
 use super::scene_types::V_MESH;
 use crate::path::Pose;
 
-/// ==== The types of the interface of 1994 ====
+/// ==== Types of 1994 ====
 ///
 /// A point or a vector in the cube from -1 to 1 in x, y and z, y up.
 #[repr(C)]
@@ -75,7 +75,7 @@ pub struct v_path {
     _private: (),
 }
 
-/// ==== The types of the new interface ====
+/// ==== Types: handles, values, options ====
 ///
 /// A handle for a camera path, not an address: using one that was freed or never made,
 /// or freeing it twice, is harmless and fails with V_ERR_HANDLE.
@@ -159,14 +159,12 @@ pub struct v_editor {
     _private: (),
 }
 
-/// ==== Editor windows ====
-///
 /// A handle for an editor window (see V_PATH). On any thread but the one that opened
 /// it, its functions fail with V_ERR_HANDLE. Free it even if the user has closed the
 /// window.
 pub type V_EDITOR = v_editor;
 
-/// ==== Reasons of callbacks ====
+/// ==== Constants ====
 ///
 /// Why on_view and on_frame are called.
 ///
@@ -194,8 +192,6 @@ pub const V_GONE_DESTROYED: c_int = 2;
 pub const V_GONE_DISPLAY: c_int = 3;
 pub const V_GONE_FAULT: c_int = 4;
 
-/// ==== Up axis ====
-///
 /// Which axis is up.
 pub const V_UP_Y: c_int = 1;
 pub const V_UP_Z: c_int = 2;

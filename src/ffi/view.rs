@@ -45,8 +45,6 @@ unsafe impl Growing for V_VIEW {
     const FIRST: usize = size_of::<V_VIEW>();
 }
 
-/// ==== Toolbox: views ====
-///
 /// Gets the matrix from world coordinates to the canonical volume of a view: 16
 /// numbers, row by row, for column vectors. In a parallel projection, x and y are then
 /// from -1 to 1, z 0 in the front plane and -1 in the back plane; in a perspective
@@ -93,17 +91,17 @@ pub unsafe extern "C" fn v_view_from_pose(
 }
 
 /// Returns the vertical field of view, in degrees, of a lens of zoom mm and a picture
-/// height mm high: 2 atan (height / (2 zoom)). For the zoom of a V_POSE, height is 24.
-/// Returns NaN, with the reason in v_last_error(), unless both are finite and > 0.
+/// height mm high: 2 atan (height / (2 zoom)). For the zoom of a V_POSE, height is
+/// 24. NaN, with the reason in v_last_error(), unless both are finite and > 0.
 #[unsafe(no_mangle)]
 pub extern "C" fn v_fov_from_zoom(zoom: f64, height: f64) -> f64 {
     border(f64::NAN, || Ok(fov_from_zoom(zoom, height)?))
 }
 
 /// Returns the focal length in mm that gives a picture height mm high the vertical
-/// field of view fov, in degrees: height / (2 tan (fov / 2)). With height 24 it is the
-/// zoom of a V_POSE. Returns NaN, with the reason in v_last_error(), unless height is
-/// finite and > 0 and fov between 0 and 180, both excluded.
+/// field of view fov, in degrees: the inverse of v_fov_from_zoom(). NaN, with the
+/// reason in v_last_error(), unless height is finite and > 0 and fov between 0 and
+/// 180, both excluded.
 #[unsafe(no_mangle)]
 pub extern "C" fn v_zoom_from_fov(fov: f64, height: f64) -> f64 {
     border(f64::NAN, || Ok(zoom_from_fov(fov, height)?))
