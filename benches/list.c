@@ -61,7 +61,7 @@ static V_PATH *make_path(void)
         o.continuity = 0.3 * sin(2.3 * n + 1.0);
         o.bias = 0.3 * sin(2.9 * n + 2.0);
         if (i < 2) /* a new path has two points */
-            check(v_path_set_position(path, i, xyz), "v_path_set_position");
+            check(v_path_set_numbers(path, v_path_key(i, -1, "position"), xyz, 3), "v_path_set_numbers");
         else
             check(v_path_insert_point(path, i, xyz), "v_path_insert_point");
         check(v_path_set_numbers(path, v_path_key(i, -1, "own"),

@@ -130,7 +130,7 @@ static void vertices(void)
     for (shape = 0; shape < 2; shape++) {
         for (i = 0; i < 3 * POINTS; i++)
             other[i] = xyz[i] + 0.1 * cos(0.002 * i + shape);
-        check(v_scene_add_shape(scene, number, shape ? "b" : "a", other, POINTS));
+        check(v_scene_add_shape(scene, number, shape ? "b" : "a", other, NULL, POINTS));
     }
     check(v_scene_set_track(scene, number, "weights", "linear", frames, weights, NULL, 1, 0));
     check(v_scene_add_deformation(scene, number, "twist", twist, 2, NULL, NULL));
@@ -138,7 +138,7 @@ static void vertices(void)
         double begin = now(), took;
 
         for (n = 0; n < 10; n++)
-            check(v_scene_vertices(scene, number, 1, other, POINTS, &points));
+            check(v_scene_vertices(scene, number, 1, other, NULL, POINTS, &points));
         took = (now() - begin) / 10;
         if (run > 0 && took < best)
             best = took;

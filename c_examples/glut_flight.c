@@ -81,7 +81,7 @@ static void display(void)
     if (v_pose_projection(&shown, aspect, 0.01, 10.0, V_CLIP_OPENGL, projection) == V_OK)
         glMatrixMode(GL_PROJECTION), glLoadMatrixd(projection);
     glMatrixMode(GL_MODELVIEW);
-    if (v_pose_gl_matrix(&shown, matrix) == V_OK)
+    if (v_pose_matrix(&shown, V_AXES_OPENGL, 0, matrix) == V_OK)
         glLoadMatrixd(matrix);
     glBegin(GL_LINES);
     for (i = 0; i < 16; i++)

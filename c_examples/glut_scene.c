@@ -251,11 +251,11 @@ static void draw_object(int node, const double *colour)
 
     mesh.size = sizeof mesh;
     check(v_scene_get_geometry(scene, node, &mesh));
-    check(v_scene_vertices(scene, node, frame, NULL, 0, &points));
+    check(v_scene_vertices(scene, node, frame, NULL, NULL, 0, &points));
     if (points == 0)
         return;
     xyz = room(&memory, &bytes, 3 * points * sizeof *xyz);
-    check(v_scene_vertices(scene, node, frame, memory, points, NULL));
+    check(v_scene_vertices(scene, node, frame, memory, NULL, points, NULL));
     glBegin(GL_TRIANGLES);
     for (i = 0; i + 2 < mesh.corners; i += 3) {
         for (j = 0; j < 3; j++)
@@ -317,7 +317,7 @@ static void draw_scene(int width, int height)
     double view[16], projection[16];
     int count, camera, i;
 
-    check(v_scene_node_count(scene, &count));
+    check(v_scene_count(scene, 0, "nodes", &count));
     check(v_scene_get_camera(scene, &camera));
     glViewport(0, 0, width, height);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -327,7 +327,7 @@ static void draw_scene(int width, int height)
     check(v_scene_evaluate(scene, frame, states, count, NULL));
     v_node_init(&node, V_NODE_CAMERA);
     check(v_scene_get_node(scene, camera, &node));
-    check(v_pose_gl_matrix(&states[camera].pose, view));
+    check(v_pose_matrix(&states[camera].pose, V_AXES_OPENGL, 0, view));
     check(v_pose_projection(&states[camera].pose, (double)width / height, node.near_plane,
                             node.far_plane, V_CLIP_OPENGL, projection));
     glMatrixMode(GL_PROJECTION);

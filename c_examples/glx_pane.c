@@ -38,7 +38,7 @@ static void draw(void)
     glXMakeCurrent(display, child, context);
     glViewport(0, 0, width, height);
     glClearColor(0.1f, 0.1f, 0.15f, 1.0f), glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    if (v_pose_gl_matrix(&camera, matrix) == V_OK) { /* otherwise no camera has arrived yet */
+    if (v_pose_matrix(&camera, V_AXES_OPENGL, 0, matrix) == V_OK) { /* otherwise no camera has arrived yet */
         glEnable(GL_DEPTH_TEST);
         v_pose_projection(&camera, (double)width / height, 0.01, 10.0, V_CLIP_OPENGL, projection);
         glMatrixMode(GL_PROJECTION), glLoadMatrixd(projection);

@@ -59,7 +59,7 @@ static void draw(GtkDrawingArea *unused, cairo_t *cairo, int width, int height, 
     (void)unused, (void)user;
     cairo_set_source_rgb(cairo, 1, 1, 1), cairo_paint(cairo), cairo_set_source_rgb(cairo, 0, 0, 0);
     cairo_translate(cairo, width / 2.0, height / 2.0);
-    for (i = 0; v_pose_gl_matrix(&shown, m) == V_OK && i < 16; i++, before = depth) {
+    for (i = 0; v_pose_matrix(&shown, V_AXES_OPENGL, 0, m) == V_OK && i < 16; i++, before = depth) {
         const double *p = xyz[lines[i]];
 
         depth = -(m[2] * p[0] + m[6] * p[1] + m[10] * p[2] + m[14]);

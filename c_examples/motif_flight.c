@@ -72,7 +72,7 @@ static void on_view(V_EDITOR *of, const V_POSE *pose, double at, int reason, voi
     double seen[16];
 
     (void)of, (void)reason, (void)user;
-    if (v_pose_gl_matrix(pose, seen) != V_OK)
+    if (v_pose_matrix(pose, V_AXES_OPENGL, 0, seen) != V_OK)
         return;
     memcpy(object, seen, sizeof object);
     object[14] += DISTANCE;

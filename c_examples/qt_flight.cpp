@@ -100,7 +100,7 @@ private:
         QPainter painter(this);
         QPointF from, to;
         double m[16];
-        v_pose_gl_matrix(&shown, m);
+        v_pose_matrix(&shown, V_AXES_OPENGL, 0, m);
         for (const auto &line : LINES)
             if (seen(m, XYZ[line[0]], from) && seen(m, XYZ[line[1]], to))
                 painter.drawLine(from, to);

@@ -59,7 +59,7 @@ static void draw(SDL_Renderer *renderer)
     SDL_SetRenderDrawColor(renderer, 255, 255, 255, 255);
     SDL_RenderClear(renderer);
     SDL_SetRenderDrawColor(renderer, 0, 0, 0, 255);
-    for (i = 0; v_pose_gl_matrix(&shown, m) == V_OK && i < 16; i++, before = here, from = to) {
+    for (i = 0; v_pose_matrix(&shown, V_AXES_OPENGL, 0, m) == V_OK && i < 16; i++, before = here, from = to) {
         const double *p = xyz[lines[i]];
         double depth = -(m[2] * p[0] + m[6] * p[1] + m[10] * p[2] + m[14]);
 

@@ -96,7 +96,7 @@ class Flight:
         """The next picture."""
         self.canvas.delete("all")
         m = (c_double * 16)()
-        vides.v_pose_gl_matrix(byref(pose), m)
+        vides.v_pose_matrix(byref(pose), 0, 0, m)  # V_AXES_OPENGL, from the world
         eye = [[sum(m[4 * k + row] * p[k] for k in range(3)) + m[12 + row] for row in range(3)]
                for p in XYZ]
         # The zoom is a focal length in mm of a camera with a picture 24 mm high.

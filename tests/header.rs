@@ -6,42 +6,41 @@ use std::fs;
 use std::path::Path;
 
 /// The files with exports, in the order in which the header shows them.
-const SOURCES: [&str; 37] = [
+const SOURCES: [&str; 36] = [
     "status",
     "types",
-    "legacy",
-    "host_loop",
     "path",
+    "path_object",
     "points",
     "orientations",
-    "properties",
-    "path_object",
     "space",
-    "shape",
-    "pace",
+    "properties",
     "curve",
-    "toolbox",
-    "tools",
+    "shape",
     "poses",
     "times",
+    "toolbox",
+    "tools",
+    "fit",
+    "checks",
+    "progress",
     "scene_types",
     "scene",
-    "scene_space",
     "scene_properties",
     "scene_shown",
     "scene_tracks",
     "scene_contents",
     "scene_states",
     "exchange",
-    "progress",
-    "checks",
-    "planning",
     "editor",
     "live",
     "editor_scene",
     "editor_steps",
+    "host_loop",
+    "legacy",
     "quaternions",
     "splines",
+    "pace",
     "view",
     "camera",
 ];
@@ -79,6 +78,7 @@ fn polished(made: &str) -> String {
         let rest = &lines[at..];
         let (text, taken) = heading(rest)
             .or_else(|| short_comment(rest))
+            .or_else(|| declaration(rest))
             .unwrap_or_else(|| (rest[0].to_owned(), 1));
         header += &text;
         header += "\n";
@@ -87,15 +87,24 @@ fn polished(made: &str) -> String {
     header
 }
 
-/// A comment that begins with `==== Heading ====` begins a part of the header;
-/// the heading gets a line of its own before the comment.
+/// A comment that begins with `==== Heading: sentence ====` begins a part of the header; both
+/// get lines of their own before the comment.
 fn heading(lines: &[&str]) -> Option<(String, usize)> {
     let ["/**", heading, " *", ..] = lines else {
         return None;
     };
     let heading = heading.strip_prefix(" * ==== ")?.strip_suffix(" ====")?;
-    let rule = "-".repeat(72 - heading.len());
-    Some((format!("\n/* ---- {heading} {rule} */\n\n/**"), 3))
+    let (title, sentence) = heading.split_once(": ").unwrap_or((heading, ""));
+    let rule = "-".repeat(72 - title.len());
+    let sentence = match sentence {
+        "" => String::new(),
+        sentence => format!(
+            "/* {}{}. */\n",
+            sentence[..1].to_uppercase(),
+            &sentence[1..]
+        ),
+    };
+    Some((format!("\n/* ---- {title} {rule} */\n{sentence}\n/**"), 3))
 }
 
 /// A comment of one line stands on one line.
@@ -106,6 +115,56 @@ fn short_comment(lines: &[&str]) -> Option<(String, usize)> {
     let (indent, text) = text.split_once("* ")?;
     (begin.trim() == "/**" && end.trim() == "*/" && text.len() < 68)
         .then(|| (format!("{}/** {text} */", &indent[1..]), 3))
+}
+
+/// A declaration takes as few lines as its parameters fit in.
+fn declaration(lines: &[&str]) -> Option<(String, usize)> {
+    let is_function = lines[0].starts_with(|c: char| c.is_ascii_lowercase())
+        && !lines[0].starts_with("typedef")
+        && (lines[0].contains(" v_") || lines[0].contains(" *v_"));
+    if !is_function || lines[0].ends_with(';') {
+        return None;
+    }
+    let taken = 1 + lines.iter().position(|line| line.ends_with(");"))?;
+    let (head, _) = lines[0].split_once('(')?;
+    let mut text = format!("{head}(");
+    let indent = text.len();
+    let mut column = indent;
+    let all = lines[..taken]
+        .iter()
+        .map(|line| line.trim())
+        .collect::<Vec<_>>();
+    let all = all.join(" ");
+    for (at, parameter) in parameters(&all[indent..]).into_iter().enumerate() {
+        if at > 0 && column + 1 + parameter.len() > 84 {
+            text += &format!("\n{:indent$}", "");
+            column = indent;
+        } else if at > 0 {
+            text += " ";
+            column += 1;
+        }
+        text += parameter;
+        column += parameter.len();
+    }
+    Some((text, taken))
+}
+
+/// Parameters with the comma or bracket that ends each; one may be a function with its own.
+fn parameters(text: &str) -> Vec<&str> {
+    let (mut depth, mut from, mut all) = (0, 0, Vec::new());
+    for (at, c) in text.char_indices() {
+        match c {
+            '(' => depth += 1,
+            ')' => depth -= 1,
+            ',' if depth == 0 => {
+                all.push(text[from..=at].trim());
+                from = at + 1;
+            }
+            _ => {}
+        }
+    }
+    all.push(text[from..].trim());
+    all
 }
 
 fn made() -> String {

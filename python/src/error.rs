@@ -23,10 +23,7 @@ pub(crate) struct Failure {
 }
 
 /// Words in the library's sentences, and what they are called in Python.
-const WORDS: [(&str, &str); 2] = [
-    ("name it, with format", "name it, with format="),
-    ("v_path_fit_poses_robust()", "robust=True"),
-];
+const WORDS: [(&str, &str); 1] = [("name it, with format", "name it, with format=")];
 
 pub(crate) type Result<T, E = Failure> = std::result::Result<T, E>;
 

@@ -12,8 +12,6 @@ use super::types::V_POSE;
 use crate::math::camera::{CameraAxes, Clip};
 use crate::math::euler::{euler, of_euler};
 
-/// ==== Axes of a camera, see v_pose_matrix() ====
-///
 /// Conventions of camera axes, all right-handed.
 ///
 /// V_AXES_OPENGL  x right, y up, z backward
@@ -26,7 +24,7 @@ pub const V_AXES_OPENCV: c_int = 1;
 pub const V_AXES_ROS: c_int = 2;
 pub const V_AXES_VIDES: c_int = 3;
 
-/// ==== Clip coordinates, see v_pose_projection() ====
+/// Clip coordinates, see v_pose_projection().
 ///
 /// V_CLIP_OPENGL    y up, depth from -1 (near) to 1 (far)
 /// V_CLIP_D3D       y up, depth from 0 to 1: Direct3D, Metal, WebGPU
@@ -38,8 +36,6 @@ pub const V_CLIP_D3D: c_int = 1;
 pub const V_CLIP_VULKAN: c_int = 2;
 pub const V_CLIP_REVERSED: c_int = 16;
 
-/// ==== Order of turns, see v_pose_to_euler() ====
-///
 /// The order of three turns: the first letter is the axis of the first turn.
 /// V_ORDER_XYZ is XYZ in Blender and ZYX in three.js; V_ORDER_ZXY is ZXY in Nuke.
 pub const V_ORDER_XYZ: c_int = 0;
@@ -122,9 +118,8 @@ fn clip(number: c_int) -> Answer<Clip> {
 ///
 /// convention  the camera's axes, V_AXES_...
 /// to_world  0: world to camera (the view matrix), with V_AXES_OPENGL that of
-///     v_pose_gl_matrix(), bit for bit. Otherwise camera to world: the columns are the
+///     gluLookAt(), for glLoadMatrixd(). Otherwise camera to world: the columns are the
 ///     axes and vrp
-/// V_ERR_ARGUMENT, V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[m; 16]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_pose_matrix(
@@ -158,8 +153,7 @@ pub unsafe extern "C" fn v_pose_matrix(
 /// m  its last row is 0, 0, 0, 1
 /// zoom  zoom of the pose, finite and > 0; from a vertical angle:
 ///     v_zoom_from_fov(angle, 24)
-/// V_ERR_ARGUMENT (a matrix that mirrors, shears, projects or is not finite),
-/// V_ERR_RANGE.
+/// V_ERR_ARGUMENT (a matrix that mirrors, shears, projects or is not finite).
 /// cbindgen:ptrs-as-arrays=[[m; 16]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_pose_from_matrix(
@@ -182,18 +176,16 @@ pub unsafe extern "C" fn v_pose_from_matrix(
 }
 
 /// Gets the orientation of a camera as three angles. At 0, 0, 0 the camera's axes lie
-/// along the world's. It is turned about the fixed axes of the world in the order of the
-/// letters: V_ORDER_XYZ is Rz Ry Rx for column vectors, or turns about the camera's own
-/// axes in the reverse order. Positive angles are counter-clockwise, seen against the
-/// axis. With V_AXES_VIDES and V_ORDER_ZXY they are pitch (positive looks down), yaw and
-/// roll in a world with y up.
+/// along the world's. It is turned about the fixed axes of the world in the order of
+/// the letters: V_ORDER_XYZ is Rz Ry Rx for column vectors. Positive angles are
+/// counter-clockwise, seen against the axis. With V_AXES_VIDES and V_ORDER_ZXY they
+/// are pitch (positive looks down), yaw and roll in a world with y up.
 ///
 /// convention  V_AXES_...; Blender and glTF use V_AXES_OPENGL
 /// order  V_ORDER_...
-/// angles  degrees about x, y and z, listed so for any order. The second turn is within
-///     -90 to 90, the others within -180 to 180. If it is 90 or -90, the others turn
-///     about the same axis and share its angle
-/// V_ERR_ARGUMENT, V_ERR_RANGE.
+/// angles  degrees about x, y and z, listed so for any order. The second turn is
+///     within -90 to 90, the others within -180 to 180. If it is 90 or -90, the
+///     others turn about the same axis and share its angle
 /// cbindgen:ptrs-as-arrays=[[angles; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_pose_to_euler(
@@ -216,7 +208,6 @@ pub unsafe extern "C" fn v_pose_to_euler(
 
 /// Gets the pose of a camera at position vrp, turned by three angles: the inverse of
 /// v_pose_to_euler(). Any finite angles are valid; zoom is finite and > 0.
-/// V_ERR_ARGUMENT, V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[vrp; 3], [angles; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_pose_from_euler(
@@ -253,7 +244,7 @@ pub unsafe extern "C" fn v_pose_from_euler(
 }
 
 /// Gets the projection matrix of a camera, for its zoom, to be applied after the view
-/// matrix of v_pose_gl_matrix(), which looks along -z whatever the convention: 16
+/// matrix of V_AXES_OPENGL, which looks along -z whatever the convention: 16
 /// numbers, column by column, for column vectors (row by row for row vectors, as
 /// Direct3D uses them).
 ///
@@ -261,7 +252,6 @@ pub unsafe extern "C" fn v_pose_from_euler(
 /// near_plane  distance of the front plane, > 0
 /// far_plane  distance of the back plane, > near_plane; INFINITY: no back plane
 /// convention  V_CLIP_..., optionally | V_CLIP_REVERSED
-/// V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[m; 16]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_pose_projection(

@@ -1,20 +1,18 @@
-//! Fitting recorded poses, and checking paths.
+//! Checking paths.
 
 use std::ffi::{CStr, c_char, c_int};
-use std::ptr;
 
 use super::border::border;
-use super::path::{insert_new, read};
-use super::pointers::{ArrayOut, Out, count, optional, read_growing, slice};
+use super::path::read;
+use super::pointers::{ArrayOut, count, optional};
 use super::progress::watched;
 use super::scene_tracks::mesh;
 use super::scene_types::V_MESH;
-use super::space::{checked, up_from_c};
-use super::status::{Answer, Name, V_ERR_INTERNAL, add_last_warning, clear_last_warning};
-use super::types::{V_PATH, V_POSE, V_SPACE};
-use crate::path::Pose;
+use super::status::{Answer, V_ERR_INTERNAL, add_last_warning, clear_last_warning};
+use super::types::V_PATH;
+use crate::document::limit_scale;
+use crate::path::Space;
 use crate::tools::check::{COUNT, Finding};
-use crate::tools::fit::{Fitted, Options, Tolerance, fit};
 
 /// Something that v_path_check() found. It does not grow.
 #[repr(C)]
@@ -62,171 +60,25 @@ const NAMES: [&CStr; COUNT] = [
     c"backwards",
 ];
 
-fn finding(found: &Finding) -> Answer<V_FINDING> {
+/// A finding for C, with its lengths in those of the path.
+fn finding(found: &Finding, space: Space) -> Answer<V_FINDING> {
+    let scale = limit_scale(found.kind, space);
     Ok(v_finding {
         kind: NAMES[found.kind as usize].as_ptr(),
         first_frame: found.first_frame,
         last_frame: found.last_frame,
         point: count(found.point)?,
         orientation: count(found.orientation)?,
-        value: found.value,
-        limit: found.limit,
+        value: found.value * scale,
+        limit: found.limit * scale,
     })
-}
-
-/// ==== Paths from recorded poses, checks ====
-///
-/// Fits a path of few points to recorded poses: each position within tolerance, each
-/// view, up and field of view within angle degrees, at its time. Noise below that is
-/// removed. Poses that jerk between whole frames, where no points are, may be missed.
-/// The space is the smallest cube around the positions, enlarged by a tenth, with
-/// V_UP_Y.
-///
-/// v_last_warning() then reports points, deviations and frame rate; if there are any,
-/// holds, gaps, cuts and outliers; and what helps against many points: where a few
-/// outliers cost a third of them, v_path_fit_poses_robust() with the points it needs;
-/// else, where more than a third of the poses became points, a tolerance that needs at
-/// most half of them.
-///
-/// seconds  when each pose was taken, in order; NULL: one per frame. Of equal times the
-///     first counts. Times beyond 1e11 count nanoseconds or microseconds, by their
-///     median step
-/// count  at least two
-/// fps  frame rate of the path
-/// V_ERR_ARGUMENT (times that run backwards, a view without direction), V_ERR_RANGE,
-/// V_ERR_LIMIT (times that span more than 100,000,000 frames), V_ERR_MEMORY,
-/// V_ERR_REFUSED.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn v_path_fit_poses(
-    poses: *const V_POSE,
-    seconds: *const f64,
-    count: usize,
-    fps: f64,
-    tolerance: f64,
-    angle: f64,
-    path: *mut *mut V_PATH,
-) -> c_int {
-    let space = ptr::null();
-    // SAFETY: the same.
-    unsafe { v_path_fit_poses_in_space(poses, seconds, count, fps, tolerance, angle, space, path) }
-}
-
-/// Like v_path_fit_poses(), in a space whose up axis applies to rolls and ups.
-///
-/// space  with half_size 0 only its up axis counts, and it is the smallest cube around
-///     the positions, as with NULL
-/// V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn v_path_fit_poses_in_space(
-    poses: *const V_POSE,
-    seconds: *const f64,
-    count: usize,
-    fps: f64,
-    tolerance: f64,
-    angle: f64,
-    space: *const V_SPACE,
-    path: *mut *mut V_PATH,
-) -> c_int {
-    border(V_ERR_INTERNAL, || {
-        let out = Out::new(path, "path")?;
-        // SAFETY: a space, as the header says.
-        let options = unsafe { options(tolerance, angle, space) }?;
-        // SAFETY: so many poses and doubles, as the header says.
-        let fitted = unsafe { fitted(poses, seconds, count, fps, &options) }?;
-        let made = insert_new(fitted.path, fps)?;
-        // SAFETY: room for a handle, as the header says.
-        unsafe { out.answer(made) }
-    })
-}
-
-/// Like v_path_fit_poses_in_space(), without outliers: poses farther than the tolerance
-/// from what their neighbours suggest. *left_out receives their number, and may be NULL;
-/// the last sentence of v_last_warning() names it and the first one.
-/// V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn v_path_fit_poses_robust(
-    poses: *const V_POSE,
-    seconds: *const f64,
-    count: usize,
-    fps: f64,
-    tolerance: f64,
-    angle: f64,
-    space: *const V_SPACE,
-    left_out: *mut usize,
-    path: *mut *mut V_PATH,
-) -> c_int {
-    border(V_ERR_INTERNAL, || {
-        let (out, left_out) = (
-            Out::new(path, "path")?,
-            Out::optional(left_out, "left_out")?,
-        );
-        // SAFETY: a space, as the header says.
-        let mut options = unsafe { options(tolerance, angle, space) }?;
-        options.robust = true;
-        // SAFETY: so many poses and doubles, as the header says.
-        let fitted = unsafe { fitted(poses, seconds, count, fps, &options) }?;
-        let made = insert_new(fitted.path, fps)?;
-        let (first, count) = (fitted.left_out.first(), fitted.left_out.len());
-        if let Some(first) = first {
-            let are = if count == 1 { "pose is" } else { "poses are" };
-            add_last_warning(format_args!(
-                "{count} {are} left out, first poses[{first}]."
-            ));
-        }
-        // SAFETY: room for a number and a handle, as the header says.
-        unsafe {
-            left_out.write(fitted.left_out.len());
-            out.answer(made)
-        }
-    })
-}
-
-/// What a fit goes by.
-///
-/// # Safety
-/// `space` is NULL or points to a struct as its `size` says.
-unsafe fn options(position: f64, angle: f64, space: *const V_SPACE) -> Answer<Options> {
-    let mut options = Options::from(Tolerance { position, angle });
-    // SAFETY: as required of the caller.
-    let given = optional(space, |space| unsafe { read_growing(space, "space") })?;
-    match given {
-        Some(given) if given.half_size == 0.0 => {
-            options.up = up_from_c(given.up, Name::Field("space", "up"))?
-        }
-        _ => options.space = given.as_ref().map(checked).transpose()?,
-    }
-    Ok(options)
-}
-
-/// # Safety
-/// There are `count` poses and, unless NULL, seconds.
-unsafe fn fitted(
-    poses: *const V_POSE,
-    seconds: *const f64,
-    count: usize,
-    fps: f64,
-    options: &Options,
-) -> Answer<Fitted> {
-    // SAFETY: as required of the caller; the layouts are one.
-    let poses = unsafe { slice(poses.cast::<Pose>(), count, "poses") }?;
-    // SAFETY: as required of the caller.
-    let seconds = optional(seconds, |seconds| unsafe {
-        slice(seconds, count, "seconds")
-    })?;
-    clear_last_warning();
-    let fitted: Fitted = watched(|go_on| Ok(fit(poses, seconds, fps, options, go_on)?))?;
-    // A sentence for each line.
-    for line in fitted.report.to_string().lines() {
-        let (first, rest) = line.split_at(1);
-        add_last_warning(format_args!("{}{rest}.", first.to_uppercase()));
-    }
-    Ok(fitted)
 }
 
 /// Finds what will look wrong: jerks, flips, collisions. Writes one finding per kind
 /// and run of frames to your array, in their order. docs/reference/tools.md describes
-/// the kinds; in parentheses their default limits, lengths in units of half_size. v_path_set_number()
-/// sets the limit of one as "check.turning" and so on; it is saved.
+/// the kinds. In parentheses their default limits, for a space of half_size 1: those of
+/// lengths are relative to it. v_path_set_number() sets the limit of one as "check.turning"
+/// and so on, in lengths of your world; it is saved.
 ///
 /// "space"         outside the space (0)
 /// "cusp"          curve or speed nearly stop (0.02 of the mean)
@@ -251,15 +103,13 @@ unsafe fn fitted(
 ///
 /// A hold, or a turn on the spot, between sections without an ease counts as a
 /// "speed-jump", an "acceleration" or a "turning-acceleration" only if that limit is not
-/// the default. The distance to the object is computed three times per frame, as by
-/// the tool "avoid".
+/// the default.
 ///
 /// object  the obstacle, in the coordinates of the path; NULL: the path's own, with its
 ///     faces, if it has one
-/// v_last_warning() returns notes, or "": that the camera is always inside the object,
+/// v_last_warning() returns notes: that the camera is always inside the object,
 /// and what was ignored (moving objects, the motion of the camera's parent).
-/// V_ERR_SIZE, V_ERR_ARGUMENT (an object without geometry), V_ERR_RANGE, V_ERR_LIMIT,
-/// V_ERR_MEMORY, V_ERR_REFUSED.
+/// V_ERR_ARGUMENT (an object without geometry), V_ERR_REFUSED.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_check(
     path: *const V_PATH,
@@ -273,11 +123,11 @@ pub unsafe extern "C" fn v_path_check(
         let out = ArrayOut::new(findings, capacity, count, ["findings", "count"])?;
         // SAFETY: a mesh, as the header says.
         let object = optional(object, |object| unsafe { mesh(object, "object") })?;
-        let (found, notes) = read(path, |document| {
+        let (found, notes, space) = read(path, |document| {
             let clearance = document.clearance(object.as_ref())?;
             let notes = document.notes(clearance.as_ref(), object.is_none())?;
             let found = watched(|go_on| Ok(document.check_against(clearance.as_ref(), go_on)?))?;
-            Ok((found, notes))
+            Ok((found, notes, document.path().space))
         })?;
         notes
             .iter()
@@ -286,7 +136,7 @@ pub unsafe extern "C" fn v_path_check(
         unsafe {
             if out.wants(found.len())? {
                 for (room, found) in out.room(found.len())?.iter_mut().zip(&found) {
-                    *room = finding(found)?;
+                    *room = finding(found, space)?;
                 }
             }
             out.answer(found.len())

@@ -50,10 +50,9 @@ pub(super) fn between(value: f64, end: f64, name: &'static str) -> Answer<f64> {
     }
 }
 
-/// ==== The curve ====
+/// ==== The curve: where a path leads, whatever its speed ====
 ///
 /// Gets the length of the whole curve.
-/// V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_length(path: *const V_PATH, length: *mut f64) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -66,7 +65,6 @@ pub unsafe extern "C" fn v_path_length(path: *const V_PATH, length: *mut f64) ->
 
 /// Gets the length of a segment. Segment n leads from point n to the next; a closed
 /// path has one more, from the last point to the first.
-/// V_ERR_RANGE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_segment_length(
     path: *const V_PATH,
@@ -85,7 +83,6 @@ pub unsafe extern "C" fn v_path_segment_length(
 }
 
 /// Gets the position on a segment at the spline's parameter t, 0 to 1.
-/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
 /// cbindgen:ptrs-as-arrays=[[xyz; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_curve_point(
@@ -105,7 +102,6 @@ pub unsafe extern "C" fn v_path_curve_point(
 
 /// Gets the position on a segment at the distance s along the curve, from 0 to the
 /// segment's length.
-/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
 /// cbindgen:ptrs-as-arrays=[[xyz; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_point_at_length(

@@ -81,7 +81,7 @@ pub(super) fn opened(editor: *const V_EDITOR) -> Answer<TryArc<Opened>> {
     Ok(found)
 }
 
-/// ==== Opening and closing windows ====
+/// ==== Windows: an editor beside your own program ====
 ///
 /// Fills in the default options: space_up V_UP_Y, everything else NULL or 0.
 #[unsafe(no_mangle)]
@@ -100,8 +100,8 @@ pub unsafe extern "C" fn v_editor_options_init(options: *mut V_EDITOR_OPTIONS) {
 }
 
 /// Like v_editor_options_init(), for a struct of size bytes; size becomes what was
-/// filled in. Bytes after the fields that the library knows are unchanged. A struct
-/// shorter than in version 1.0 is unchanged, and v_last_error() returns the reason.
+/// filled in. A struct shorter than in version 1.0 is unchanged, and v_last_error()
+/// returns the reason.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_options_init_sized(options: *mut V_EDITOR_OPTIONS, size: usize) {
     border((), || {
@@ -155,8 +155,7 @@ unsafe impl Growing for V_EDITOR_OPTIONS {
 /// serves the window too. No longjmp() and no exception may leave them; an exception
 /// that does ends the program, after a line on standard error that names the callback.
 /// When the thread ends, its window is closed, with a line on standard error.
-/// V_ERR_SIZE, V_ERR_HANDLE (of path), V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_IO and
-/// V_ERR_FORMAT (of file), V_ERR_DISPLAY, V_ERR_LIMIT, V_ERR_MEMORY.
+/// V_ERR_HANDLE (of path), V_ERR_IO and V_ERR_FORMAT (of file), V_ERR_DISPLAY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_open(
     options: *const V_EDITOR_OPTIONS,
@@ -378,10 +377,10 @@ fn open(editor: Beginning, host: Callbacks) -> Answer<*mut V_EDITOR> {
     handle
 }
 
-/// Closes a window without asking, and frees its handle: on the thread that opened it,
-/// or on any once the window is gone. Inside the window's own callbacks it closes when
-/// they have returned. on_gone is not called. Work that v_editor_is_modified() reports
-/// is offered at the next start of the program. NULL is ignored.
+/// Closes a window without asking, and frees its handle: on the thread that opened
+/// it, or on any once the window is gone. Inside the window's own callbacks it closes
+/// when they have returned. on_gone is not called. Unsaved work is offered at the
+/// next start of the program. NULL is ignored.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_close(editor: *mut V_EDITOR) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -405,7 +404,7 @@ pub unsafe extern "C" fn v_editor_close(editor: *mut V_EDITOR) -> c_int {
 }
 
 /// Gets a copy of the path in a window; in a scene, that of the camera shown.
-/// V_ERR_ARGUMENT (no camera, or it follows no path), V_ERR_MEMORY, V_ERR_LIMIT.
+/// V_ERR_ARGUMENT (no camera, or it follows no path).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_get_path(
     editor: *const V_EDITOR,
@@ -424,9 +423,8 @@ pub unsafe extern "C" fn v_editor_get_path(
 /// Replaces the path in a window, in one step that the user can undo, with its space,
 /// title, comment and so on, and its object if it has one. Base speeds given when the
 /// window was opened are kept. In a scene it replaces the path of the camera shown,
-/// which is then edited. The playhead stays at its frame if the path has it, else goes
-/// to the current point.
-/// V_ERR_ARGUMENT (no camera, or it follows no path), V_ERR_MEMORY.
+/// which is then edited. The playhead stays at its frame if the path has it.
+/// V_ERR_ARGUMENT (no camera, or it follows no path).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_set_path(editor: *mut V_EDITOR, path: *const V_PATH) -> c_int {
     border(V_ERR_INTERNAL, || {

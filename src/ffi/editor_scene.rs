@@ -15,7 +15,6 @@ use crate::instance;
 
 /// Gets a copy of the scene in a window; if the window has only a path, a scene with a
 /// camera on it.
-/// V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_get_scene(
     editor: *const V_EDITOR,
@@ -31,16 +30,14 @@ pub unsafe extern "C" fn v_editor_get_scene(
     })
 }
 
-/// Replaces the scene in a window, in one step that the user can undo, even if it is
-/// equal, with its space, title, comment and so on, and its wireframe object if it has
-/// one. The space in the options applies only to what the window began with.
+/// Replaces the scene in a window, in one step that the user can undo, with its
+/// space, title, comment and so on, and its wireframe object if it has one.
 ///
-/// If the new scene has a node with the name of the edited one and a path, that path is
-/// edited; otherwise that of the camera shown, if it has one, with the base speeds given
-/// when the window was opened. A scene with nothing but one camera on a path is treated
-/// as that path. A drag in progress ends where it is. The playhead stays at its frame if
+/// If the new scene has a node with the name of the edited one and a path, that path
+/// is edited; otherwise that of the camera shown, if it has one, with the base speeds
+/// given when the window was opened. A scene with nothing but one camera on a path is
+/// treated as that path. A drag in progress ends. The playhead stays at its frame if
 /// the scene has it.
-/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_set_scene(editor: *mut V_EDITOR, scene: *const V_SCENE) -> c_int {
     border(V_ERR_INTERNAL, || {

@@ -25,8 +25,6 @@ fn travel(
     }
 }
 
-/// ==== Steps of a window ====
-///
 /// Undoes the last step of a window, like Ctrl-Z. It keeps the last 10,000 steps, and
 /// at most 256 MiB of what they changed.
 /// V_ERR_ARGUMENT (nothing to undo).

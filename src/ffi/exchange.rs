@@ -13,19 +13,18 @@ use crate::formats::{self, Format, Loss, Options, Report, Source};
 /// Writes a scene in another program's format. Each file is replaced atomically. A
 /// missing folder is created only for colmap, inside an existing one.
 ///
-/// format  gltf, glb, usda, blender, paraview, vtk, nerfstudio, transforms, instant-ngp,
-///     cameras, supersplat, tum, euroc, kitti, matrices, open3d, colmap (a folder), osg,
-///     chan, html, ascii, csv, json or vid; NULL: by the name of the file
+/// format  gltf, glb, usda, blender, paraview, vtk, nerfstudio, transforms,
+///     instant-ngp, cameras, supersplat, tum, euroc, kitti, matrices, open3d, colmap
+///     (a folder), osg, chan, html, ascii, csv, json or vid; NULL: by the name of the
+///     file
 /// options  lines of name=value ("fps=30\nnode=camera"); NULL: none. The names are
-///     node, clip, frames, fps, times, start, size, up, scale, as, tolerance, angle, compact,
-///     digits and rotation-order; `vides convert --help` explains them. The last of
-///     duplicates counts; names that a format does not use are ignored
+///     node, clip, frames, fps, times, start, size, up, scale, as, tolerance, angle,
+///     compact, digits and rotation-order; `vides convert --help` explains them.
+///     Names that a format does not use are ignored
 ///
-/// What the format cannot hold is left out; v_last_warning() lists such losses, one per
-/// line, or returns "".
-/// V_ERR_ARGUMENT (also no such node, a host interpolation that fails), V_ERR_RANGE,
-/// V_ERR_FORMAT (a folder that holds what would be read first), V_ERR_IO, V_ERR_LIMIT,
-/// V_ERR_MEMORY.
+/// v_last_warning() lists what the format cannot hold, one per line.
+/// V_ERR_ARGUMENT (also no such node, a host interpolation that fails), V_ERR_FORMAT
+/// (a folder that holds what would be read first), V_ERR_IO.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_export(
     scene: *const V_SCENE,
@@ -50,18 +49,17 @@ pub unsafe extern "C" fn v_scene_export(
     })
 }
 
-/// Reads another program's file, or a folder of files, as a scene. Poses become a path
-/// fitted with few points; with "as=keys", or fewer than three poses, a camera with one
-/// key each.
+/// Reads another program's file, or a folder of files, as a scene. Poses become a
+/// path fitted with few points; with "as=keys", or fewer than three poses, a camera
+/// with one key each.
 ///
-/// format  as for v_scene_export(), without blender, vtk and html, and also record3d and
-///     polycam; paraview as v_scene_export() writes it, no code is run. NULL: by the
-///     content
+/// format  as for v_scene_export(), without blender, vtk and html, and also record3d
+///     and polycam; paraview as v_scene_export() writes it, no code is run. NULL: by
+///     the content
 /// options  as for v_scene_export()
 ///
-/// v_last_warning() lists parts of the file that are ignored, and how well a path fits,
-/// one per line, or returns "".
-/// V_ERR_ARGUMENT, V_ERR_IO, V_ERR_FORMAT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// v_last_warning() lists ignored parts of the file, and how well a path fits.
+/// V_ERR_IO, V_ERR_FORMAT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_import(
     file: *const c_char,

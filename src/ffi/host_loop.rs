@@ -29,17 +29,17 @@ fn tell(lost: Option<&Lost>) {
     }
 }
 
-/// ==== The host's event loop ====
+/// ==== Event loop: how your program serves its windows ====
 ///
 /// Returns the descriptor to watch with select(), poll() or the like; when it is
-/// readable, call v_dispatch(). It stays the same and open as long as the thread lives;
-/// never read or close it. Returns -1 if the system has no more descriptors.
+/// readable, call v_dispatch(). It stays the same and open as long as the thread
+/// lives; never read or close it. Returns -1 if the system has no more descriptors.
 ///
-/// The functions of this section concern the calling thread's windows. A program with an
-/// Xt or Motif main loop needs none of them, even if it calls XtAppPending() first,
-/// unless it processes XtIMXEvent only. Any other program, also one that runs Xt under
-/// its own select(), watches this descriptor or calls v_main_loop(). If no loop serves a
-/// window, a hint appears on standard error.
+/// The functions of this section concern the calling thread's windows. A program with
+/// an Xt or Motif main loop needs none of them, unless it processes XtIMXEvent only.
+/// Any other program, also one that runs Xt under its own select(), watches this
+/// descriptor or calls v_main_loop(). If no loop serves a window, a hint appears on
+/// standard error.
 #[unsafe(no_mangle)]
 pub extern "C" fn v_fd() -> c_int {
     border(-1, || {
@@ -105,7 +105,7 @@ pub extern "C" fn v_main_loop() -> c_int {
 
 /// Lets an XtAppContext run by this thread serve its windows. Needed only for one
 /// created after a window was opened, since opening a window finds all that exist.
-/// V_ERR_ARGUMENT (no Xt, or no such context), V_ERR_LIMIT.
+/// V_ERR_ARGUMENT (no Xt, or no such context).
 #[unsafe(no_mangle)]
 pub extern "C" fn v_set_app_context(app_context: *mut c_void) -> c_int {
     border(V_ERR_INTERNAL, || {

@@ -6,10 +6,11 @@ use std::mem::MaybeUninit;
 use std::ptr::{self, null, null_mut};
 use std::thread;
 
+use super::curve::v_path_curve_point;
 use super::legacy::v_free_liste;
 use super::orientations::{v_orientation_init, v_path_get_orientation, v_path_set_orientation};
 use super::path::{v_path_clone, v_path_free, v_path_new};
-use super::points::{v_path_get_position, v_path_insert_point, v_path_set_position};
+use super::points::v_path_insert_point;
 use super::poses::{v_path_frame_count, v_path_sample, v_path_to_list};
 use super::quaternions::v_view_from_quat;
 use super::status::{V_ERR_ARGUMENT, V_ERR_HANDLE, V_ERR_NULL, V_ERR_SIZE, V_OK, v_last_error};
@@ -90,9 +91,9 @@ fn pointers_that_are_none_are_not_followed() {
     let path = path();
     let mut numbers = [0.0; 4];
     let odd = numbers.as_mut_ptr().wrapping_byte_add(1);
-    call!(V_ERR_NULL, v_path_get_position(path, 0, null_mut()));
-    call!(V_ERR_ARGUMENT, v_path_get_position(path, 0, odd));
-    call!(V_ERR_ARGUMENT, v_path_set_position(path, 0, odd));
+    call!(V_ERR_NULL, v_path_curve_point(path, 0, 0.5, null_mut()));
+    call!(V_ERR_ARGUMENT, v_path_curve_point(path, 0, 0.5, odd));
+    call!(V_ERR_ARGUMENT, v_path_insert_point(path, 0, odd));
     let mut other = null_mut();
     call!(V_ERR_NULL, v_path_clone(null(), &raw mut other));
     let stale = path;

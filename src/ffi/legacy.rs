@@ -21,7 +21,7 @@ use crate::path::BaseFrames;
 type Rueck = unsafe extern "C" fn(daten: *mut V_KAMERAPAR, anzahl: c_int);
 type Ende = unsafe extern "C" fn() -> c_int;
 
-/// ==== The interface of 1994 ====
+/// ==== The interface of 1994: unchanged since ====
 ///
 /// Opens an editor window and returns at once. Each call opens another, independent
 /// window, on the display that the program's Xt opened last; without Xt, on DISPLAY. A

@@ -34,14 +34,13 @@ fn command(
     Ok(V_OK)
 }
 
-/// ==== The window and the host's own picture ====
+/// ==== Windows and your picture: what both show ====
 ///
 /// Shows your program's camera as a ghost, which the user can add to the path as a
 /// point; NULL hides it. vpn and vup have any length but 0.
 ///
 /// Changes that a callback makes with the functions of this section or with
 /// v_editor_set_path() do not cause further callbacks.
-/// V_ERR_ARGUMENT, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_set_view(editor: *mut V_EDITOR, pose: *const V_POSE) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -53,7 +52,6 @@ pub unsafe extern "C" fn v_editor_set_view(editor: *mut V_EDITOR, pose: *const V
 
 /// Gets the frame at the playhead, for v_path_pose(); in a scene a frame of the scene,
 /// for v_scene_evaluate().
-/// V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_get_frame(
     editor: *const V_EDITOR,
@@ -71,7 +69,6 @@ pub unsafe extern "C" fn v_editor_get_frame(
 /// Moves the playhead to a frame; the orientation that the camera comes from becomes
 /// current. In a scene it is a frame of the scene, within v_scene_frame_range(),
 /// whatever is selected.
-/// V_ERR_RANGE, V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_set_frame(editor: *mut V_EDITOR, frame: c_double) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -92,7 +89,7 @@ pub unsafe extern "C" fn v_editor_play(editor: *mut V_EDITOR, play: c_int) -> c_
 }
 
 /// Makes an orientation of a point current.
-/// V_ERR_ARGUMENT (no path is edited), V_ERR_RANGE.
+/// V_ERR_ARGUMENT (no path is edited).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_select(
     editor: *mut V_EDITOR,
@@ -106,7 +103,6 @@ pub unsafe extern "C" fn v_editor_select(
 }
 
 /// Replaces the object shown, in one step that the user can undo; NULL removes it.
-/// V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_set_object(
     editor: *mut V_EDITOR,
@@ -121,7 +117,6 @@ pub unsafe extern "C" fn v_editor_set_object(
 
 /// Sets the text after "VIDES" in the window's title, one line (control characters
 /// become spaces); NULL: the name of the file.
-/// V_ERR_ARGUMENT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_set_title(editor: *mut V_EDITOR, title: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -163,7 +158,7 @@ pub unsafe extern "C" fn v_editor_mark_saved(editor: *mut V_EDITOR) -> c_int {
 
 /// Saves the contents of a window to a .vid file, which it edits from then on. NULL:
 /// its own file, unless another program has changed it.
-/// V_ERR_ARGUMENT (no file yet, or changed by others), V_ERR_IO, V_ERR_MEMORY.
+/// V_ERR_ARGUMENT (no file yet, or changed by others), V_ERR_IO.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_save(editor: *mut V_EDITOR, file: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -185,16 +180,15 @@ pub unsafe extern "C" fn v_editor_raise(editor: *mut V_EDITOR) -> c_int {
 }
 
 /// Closes all windows that this thread has open, also those of v_haupt(), for your
-/// program's Quit. Windows opened meanwhile stay open. You still free the handles with
-/// v_editor_close().
+/// program's Quit. You still free the handles with v_editor_close().
 ///
 /// ask  0: without asking; unsaved work is offered at the next start. Otherwise each
-///     window in turn asks about unsaved work and then calls on_close or ende, until all
-///     are closed or one refuses; meanwhile all are served
+///     window in turn asks about unsaved work and then calls on_close or ende, until
+///     all are closed or one refuses; meanwhile all are served
 ///
-/// Meanwhile the call handles the events, timers and inputs of a program with Xt, in the
-/// context that this thread ran last; no longjmp() and no exception may leave their
-/// callbacks. A second call raises the window that asks.
+/// Meanwhile the call handles the events, timers and inputs of a program with Xt, in
+/// the context that this thread ran last; no longjmp() and no exception may leave
+/// their callbacks. A second call raises the window that asks.
 /// V_ERR_REFUSED (the windows before that one are closed), V_ERR_BUSY (within a
 /// callback, or while an earlier call asks), V_ERR_DISPLAY, V_ERR_LIMIT (no
 /// descriptors).

@@ -19,6 +19,7 @@
 #![allow(clippy::missing_safety_doc)]
 
 mod border;
+mod by_name;
 mod camera;
 mod checks;
 mod counted;
@@ -31,6 +32,7 @@ mod editor;
 mod editor_scene;
 mod editor_steps;
 mod exchange;
+mod fit;
 mod handles;
 mod host_loop;
 mod legacy;
@@ -41,7 +43,6 @@ mod orientations;
 mod pace;
 mod path;
 mod path_object;
-mod planning;
 mod pointers;
 mod points;
 mod poses;
@@ -53,7 +54,6 @@ mod scene_contents;
 mod scene_handles;
 mod scene_properties;
 mod scene_shown;
-mod scene_space;
 mod scene_states;
 mod scene_tracks;
 mod scene_types;

@@ -129,7 +129,7 @@ unsafe fn read_orientation(o: *const V_ORIENTATION) -> Answer<Orientation> {
     from_c(&unsafe { read_growing(o, "o") }?)
 }
 
-/// ==== Orientations ====
+/// ==== Orientations: how the camera looks at a point ====
 ///
 /// Fills in an orientation: relative target (0, 0, -0.4), roll 0, zoom 24, tension,
 /// continuity and bias 0, all speeds 50, hold 0.
@@ -143,7 +143,6 @@ pub unsafe extern "C" fn v_orientation_init(o: *mut V_ORIENTATION) {
 
 /// Gets the number of orientations of a point, 1 to 10. The camera arrives in the
 /// first, turns from one to the next, and leaves in the last.
-/// V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_orientation_count(
     path: *const V_PATH,
@@ -162,7 +161,6 @@ pub unsafe extern "C" fn v_path_orientation_count(
 
 /// Inserts an orientation before index at; if at is their number, appends it. NULL
 /// copies the one before it, or the first one if at is 0.
-/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_insert_orientation(
     path: *mut V_PATH,
@@ -186,7 +184,6 @@ pub unsafe extern "C" fn v_path_insert_orientation(
 }
 
 /// Removes an orientation. The only one of a point cannot be removed.
-/// V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_remove_orientation(
     path: *mut V_PATH,
@@ -201,7 +198,6 @@ pub unsafe extern "C" fn v_path_remove_orientation(
 
 /// Sets all values of an orientation. Settings that V_ORIENTATION does not have (ease,
 /// distance curve, fixed frames, looking ahead, up) are unchanged.
-/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_SIZE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_orientation(
     path: *mut V_PATH,
@@ -222,7 +218,6 @@ pub unsafe extern "C" fn v_path_set_orientation(
 }
 
 /// Gets the values of an orientation.
-/// V_ERR_RANGE, V_ERR_SIZE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_orientation(
     path: *const V_PATH,
@@ -241,7 +236,6 @@ pub unsafe extern "C" fn v_path_get_orientation(
 
 /// Makes the target of an orientation absolute (not 0) or relative (0). The view does
 /// not change.
-/// V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_absolute(
     path: *mut V_PATH,
@@ -262,13 +256,11 @@ pub unsafe extern "C" fn v_path_set_absolute(
     })
 }
 
-/// Sets which way is up for an orientation, before its roll. Between two orientations
-/// with the same view and up, the camera keeps both throughout.
+/// Sets which way is up for an orientation, before its roll.
 ///
 /// up  "axis"     the up axis of the space, the default
 ///     "point"    towards up_point
-///     "path"     towards the position on up_path at the same fraction of its length.
-///                A closed one ends where it begins
+///     "path"     towards the position on up_path at the same fraction of its length
 ///     "minimal"  starts with the up axis and is carried on without turning about the
 ///                view, through all consecutive orientations that have it; on a closed
 ///                path, the angle missing at the end is spread over the length
@@ -276,7 +268,6 @@ pub unsafe extern "C" fn v_path_set_absolute(
 ///     "y", "z"   this axis, whatever the space's up axis
 /// Arguments that an up does not need may be NULL. A path has at most 10 different up
 /// paths of at most 1000 points.
-/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_up(
     path: *mut V_PATH,
@@ -310,9 +301,8 @@ const UPS: [&CStr; 7] = [
     c"axis", c"point", c"path", c"minimal", c"frenet", c"y", c"z",
 ];
 
-/// Gets the up of an orientation (a constant text), the point of "point" or zeros, and
-/// an open path with the curve of "path", which you free, or NULL.
-/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// Gets the up of an orientation (a constant text), the point of "point" or zeros,
+/// and an open path with the curve of "path", which you free, or NULL.
 /// cbindgen:ptrs-as-arrays=[[up_point; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_up(

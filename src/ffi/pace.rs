@@ -9,7 +9,7 @@ use super::status::{Answer, Failure, V_ERR_INTERNAL, V_OK};
 use crate::limits::BASE_SPEED;
 use crate::path::{Ease, EaseKind};
 
-/// ==== Kinds of easing, see v_ease() ====
+/// Kinds of easing, see v_ease().
 ///
 /// V_EASE_SINE       the speed rises and falls as a quarter of a sine
 /// V_EASE_PARABOLIC  it rises and falls as a straight line
@@ -32,15 +32,12 @@ fn finite(numbers: [(f64, &'static str); 3]) -> Answer<()> {
     }
 }
 
-/// ==== Speed profile ====
-///
 /// Gets distance and speed of an ease at t, from 0 to 1: the fraction of the distance
 /// covered, 0 to 1, and its derivative.
 ///
 /// kind  V_EASE_...
 /// rise, fall  fractions of the time for speeding up and slowing down, not negative,
 ///     together at most 1
-/// V_ERR_ARGUMENT, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_ease(
     kind: c_int,

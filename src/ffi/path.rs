@@ -1,13 +1,13 @@
 //! Paths as handles: made, copied, freed, loaded and saved.
 
 use std::ffi::{c_char, c_int};
-use std::sync::{RwLock, TryLockError};
+use std::sync::RwLock;
 
 use super::border::border;
 use super::handles::{Handles, KIND_PATH};
 use super::pointers::{MAX_TEXT, Out, TextOut, file_name, most, slice};
-use super::progress;
-use super::status::{Answer, Failure, V_ERR_BUSY, V_ERR_INTERNAL, V_OK};
+use super::progress::locked;
+use super::status::{Answer, Failure, V_ERR_INTERNAL, V_OK};
 use super::types::V_PATH;
 use crate::document::{Document, Edit, Info};
 use crate::inject;
@@ -20,26 +20,6 @@ const SPOILED: Failure = Failure::Border(
     V_ERR_INTERNAL,
     "this path is unusable after a fault inside the library",
 );
-
-const BUSY: Failure = Failure::Border(
-    V_ERR_BUSY,
-    "this path is in use, and cannot be waited for within a progress callback",
-);
-
-/// The lock of a path. Within a progress callback the call in progress may hold it, or
-/// another thread that waits for a path of ours, so a callback does not wait.
-fn locked<G, E>(
-    wait: impl FnOnce() -> Result<G, E>,
-    take: impl FnOnce() -> Result<G, TryLockError<G>>,
-) -> Answer<G> {
-    if !progress::is_running() {
-        return wait().map_err(|_| SPOILED);
-    }
-    take().map_err(|error| match error {
-        TryLockError::WouldBlock => BUSY,
-        TryLockError::Poisoned(_) => SPOILED,
-    })
-}
 
 /// Creates a handle for a path, which then has no history.
 pub(super) fn insert(document: Document) -> Answer<*mut V_PATH> {
@@ -57,7 +37,7 @@ pub(super) fn insert_new(path: CameraPath, fps: f64) -> Answer<*mut V_PATH> {
 
 pub(super) fn read<R>(path: *const V_PATH, look: impl FnOnce(&Document) -> Answer<R>) -> Answer<R> {
     let document = PATHS.get(path)?;
-    let document = locked(|| document.read(), || document.try_read())?;
+    let document = locked(|| document.read(), || document.try_read(), SPOILED)?;
     inject::point(inject::Place::Path);
     look(&document)
 }
@@ -68,7 +48,7 @@ pub(super) fn change<R>(
     work: impl FnOnce(&mut Document) -> Answer<R>,
 ) -> Answer<R> {
     let document = PATHS.get(path)?;
-    let mut document = locked(|| document.write(), || document.try_write())?;
+    let mut document = locked(|| document.write(), || document.try_write(), SPOILED)?;
     inject::point(inject::Place::Path);
     work(&mut document)
 }
@@ -102,11 +82,10 @@ pub(super) fn edit_and<R>(
     })
 }
 
-/// ==== Paths ====
+/// ==== Paths: made, copied, loaded, saved ====
 ///
 /// Makes a new path: two points at (-0.6, 0.2, 0.8) and (0.6, 0.2, 0.8), each with one
 /// orientation of v_orientation_init().
-/// V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_new(path: *mut *mut V_PATH) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -118,7 +97,6 @@ pub unsafe extern "C" fn v_path_new(path: *mut *mut V_PATH) -> c_int {
 }
 
 /// Makes an independent copy of a path.
-/// V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_clone(path: *const V_PATH, copy: *mut *mut V_PATH) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -143,8 +121,7 @@ pub unsafe extern "C" fn v_path_free(path: *mut V_PATH) {
 
 /// Reads a path from a .vid file; of a scene, the path of the camera shown: saving that
 /// to the same file would lose the rest.
-/// V_ERR_IO, V_ERR_FORMAT, V_ERR_ARGUMENT (no camera, or it follows no path),
-/// V_ERR_MEMORY, V_ERR_LIMIT.
+/// V_ERR_IO, V_ERR_FORMAT, V_ERR_ARGUMENT (no camera, or it follows no path).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_load(file: *const c_char, path: *mut *mut V_PATH) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -157,9 +134,8 @@ pub unsafe extern "C" fn v_path_load(file: *const c_char, path: *mut *mut V_PATH
     })
 }
 
-/// Like v_path_load(), from the text of a .vid file: size bytes, which need not be
-/// zero-terminated.
-/// V_ERR_FORMAT, V_ERR_ARGUMENT, V_ERR_MEMORY, V_ERR_LIMIT.
+/// Like v_path_load(), from the text of a .vid file: size bytes.
+/// V_ERR_FORMAT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_load_from_memory(
     text: *const c_char,
@@ -180,7 +156,7 @@ pub unsafe extern "C" fn v_path_load_from_memory(
 
 /// Saves a path to a .vid file, which is replaced atomically and is on the disk when
 /// the call returns V_OK. Symbolic links are followed and permissions kept.
-/// V_ERR_IO, V_ERR_MEMORY.
+/// V_ERR_IO.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_save(path: *const V_PATH, file: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -192,7 +168,6 @@ pub unsafe extern "C" fn v_path_save(path: *const V_PATH, file: *const c_char) -
 }
 
 /// Gets the text that v_path_save() would write.
-/// V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_save_to_memory(
     path: *const V_PATH,

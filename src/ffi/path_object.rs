@@ -11,12 +11,9 @@ use super::status::V_ERR_INTERNAL;
 use super::types::V_PATH;
 use crate::document::Edit;
 
-/// ==== The object of a path ====
-///
 /// Sets the object shown with a path; NULL: none. The window draws its lines and the
 /// edges of its triangles; beyond 1,000,000 points of lines, only points where they end
 /// or bend. v_path_check() uses the triangles.
-/// V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_object(path: *mut V_PATH, object: *const V_MESH) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -32,7 +29,6 @@ pub unsafe extern "C" fn v_path_set_object(path: *mut V_PATH, object: *const V_M
 
 /// Gets the object shown with a path, 0 points without one. The arrays are valid until
 /// the same thread's next call of this function or its end.
-/// V_ERR_SIZE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_object(path: *const V_PATH, mesh: *mut V_MESH) -> c_int {
     border(V_ERR_INTERNAL, || {

@@ -7,7 +7,7 @@ use super::path::{edit, read};
 use super::pointers::{Out, count, how_many, index, read_vector};
 use super::status::{Answer, V_ERR_INTERNAL};
 use super::types::V_PATH;
-use crate::document::{At, Document, Edit};
+use crate::document::{Document, Edit};
 use crate::error::OutOfRange;
 use crate::path::SupportPoint;
 
@@ -23,7 +23,7 @@ pub(super) fn point<'a>(
     Ok((at, point.ok_or(OutOfRange::NoPoint { point: at, last })?))
 }
 
-/// ==== Points ====
+/// ==== Points: what the curve passes through ====
 ///
 /// Gets the number of points, at least 2.
 #[unsafe(no_mangle)]
@@ -37,10 +37,8 @@ pub unsafe extern "C" fn v_path_point_count(path: *const V_PATH, count: *mut c_i
 }
 
 /// Inserts a point before index at; if at is their number, appends it. It copies all
-/// other properties from the point before it, or from the one after it if at is 0; an
-/// absolute target equal to its position becomes relative. Coordinates are at most 1e9
-/// times half_size from the centre of the space.
-/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// other properties from the point before it, or from the first one; an absolute
+/// target equal to its position becomes relative.
 /// cbindgen:ptrs-as-arrays=[[xyz; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_insert_point(
@@ -56,10 +54,9 @@ pub unsafe extern "C" fn v_path_insert_point(
     })
 }
 
-/// Divides a segment with 1 to 10 points on its curve, at equal arc lengths. They copy
-/// all other properties from the point before them, so the motion changes;
+/// Divides a segment with 1 to 10 points on its curve, at equal arc lengths. They
+/// copy all other properties from the point before them, so the motion changes;
 /// v_path_insert_on_curve() keeps it.
-/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_divide_segment(
     path: *mut V_PATH,
@@ -73,7 +70,6 @@ pub unsafe extern "C" fn v_path_divide_segment(
 }
 
 /// Removes a point. The last two cannot be removed.
-/// V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_remove_point(path: *mut V_PATH, at: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -86,43 +82,7 @@ pub unsafe extern "C" fn v_path_remove_point(path: *mut V_PATH, at: c_int) -> c_
     })
 }
 
-/// Moves a point, with its relative targets. Absolute ones stay in place and must not
-/// equal the position. Coordinates as in v_path_insert_point().
-/// V_ERR_ARGUMENT, V_ERR_RANGE.
-/// cbindgen:ptrs-as-arrays=[[xyz; 3]]
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn v_path_set_position(
-    path: *mut V_PATH,
-    at: c_int,
-    xyz: *const f64,
-) -> c_int {
-    border(V_ERR_INTERNAL, || {
-        // SAFETY: three doubles, as the header says.
-        let position = unsafe { read_vector(xyz, "xyz") }?;
-        let at = index(at, "at")?;
-        edit(path, Edit::set(At::Point(at), "position", position))
-    })
-}
-
-/// Gets the position of a point.
-/// V_ERR_RANGE.
-/// cbindgen:ptrs-as-arrays=[[xyz; 3]]
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn v_path_get_position(
-    path: *const V_PATH,
-    at: c_int,
-    xyz: *mut f64,
-) -> c_int {
-    border(V_ERR_INTERNAL, || {
-        let xyz = Out::array(xyz, "xyz")?;
-        let position = read(path, |document| Ok(point(document, at, "at")?.1.position))?;
-        // SAFETY: room for three doubles, as the header says.
-        unsafe { xyz.answer(position.to_array()) }
-    })
-}
-
 /// Moves a point to another index; the points between shift by one.
-/// V_ERR_RANGE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_move_point(path: *mut V_PATH, from: c_int, to: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {

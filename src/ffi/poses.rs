@@ -13,11 +13,10 @@ use crate::error::EngineError;
 use crate::formats;
 use crate::path::Pose;
 
-/// ==== Sections and poses ====
+/// ==== Poses: the camera at each frame ====
 ///
 /// Gets the number of sections. A section leads from one orientation to the next, at
 /// the same point or at the next one, in the order in which the camera takes them.
-/// V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_section_count(path: *const V_PATH, count: *mut c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -33,7 +32,6 @@ pub unsafe extern "C" fn v_path_section_count(path: *const V_PATH, count: *mut c
 
 /// Gets the point and orientation with which a section begins, its first frame, and its
 /// number of frames without a hold at its end; 0 if nothing changes in it.
-/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_section_info(
     path: *const V_PATH,
@@ -77,7 +75,6 @@ pub unsafe extern "C" fn v_path_section_info(
 }
 
 /// Gets the number of frames, at least 1.
-/// V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_frame_count(path: *const V_PATH, frames: *mut usize) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -91,7 +88,6 @@ pub unsafe extern "C" fn v_path_frame_count(path: *const V_PATH, frames: *mut us
 }
 
 /// Writes all poses to your array.
-/// V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_sample(
     path: *const V_PATH,
@@ -117,7 +113,6 @@ pub unsafe extern "C" fn v_path_sample(
 }
 
 /// Writes count poses of v_path_sample(), from frame first on, to your array.
-/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_sample_range(
     path: *const V_PATH,
@@ -147,9 +142,8 @@ pub unsafe extern "C" fn v_path_sample_range(
     })
 }
 
-/// Gets the pose at a frame. At a whole frame it equals that of v_path_sample() bit for
-/// bit.
-/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// Gets the pose at a frame. At a whole frame it equals that of v_path_sample()
+/// exactly.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_pose(path: *const V_PATH, frame: f64, pose: *mut V_POSE) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -162,7 +156,6 @@ pub unsafe extern "C" fn v_path_pose(path: *const V_PATH, frame: f64, pose: *mut
 
 /// Gets the poses at count frames, as v_path_pose() does, in any order; ascending ones
 /// are fastest. poses must not overlap frames.
-/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_poses_at(
     path: *const V_PATH,
@@ -199,11 +192,10 @@ pub(super) fn frame_of(given: f64, frames: usize, name: Name) -> Answer<f64> {
         .ok_or(failure)
 }
 
-/// Makes a list of all poses, see V_KAMERAPAR. Set the number of first before, to -1 if
-/// there is no data yet. A list that VIDES made there before is freed when the new one is
-/// complete, and unchanged if the call fails; any other is forgotten but not freed. No
-/// other thread may use the list meanwhile.
-/// V_ERR_LIMIT, V_ERR_MEMORY.
+/// Makes a list of all poses, see V_KAMERAPAR. Set the number of first before, to -1
+/// if there is no data yet. A list that VIDES made there before is freed when the new
+/// one is complete; any other is not freed. No other thread may use the list
+/// meanwhile.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_to_list(path: *const V_PATH, first: *mut V_KAMERAPAR) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -219,9 +211,10 @@ pub unsafe extern "C" fn v_path_to_list(path: *const V_PATH, first: *mut V_KAMER
 }
 
 /// Writes all poses to a text file, replaced atomically, one line each: VRP, VPN, VUP
-/// (x, y and z each) and zoom, as C prints them by "%3.4f", separated by one space. The
-/// decimal sign is always a point; minus zero is written as zero.
-/// V_ERR_IO, V_ERR_LIMIT, V_ERR_MEMORY.
+/// (x, y and z each) and zoom, as C prints them by "%3.4f", separated by one space.
+/// The decimal sign is a point; minus zero is written as zero. Zoom is the path's, 1
+/// to 2000 with its fraction: only the list's int ends at 100.
+/// V_ERR_IO.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_write_ascii(path: *const V_PATH, file: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -236,7 +229,6 @@ pub unsafe extern "C" fn v_path_write_ascii(path: *const V_PATH, file: *const c_
 }
 
 /// Gets the text that v_path_write_ascii() would write.
-/// V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_write_ascii_to_memory(
     path: *const V_PATH,

@@ -2,11 +2,13 @@
 
 use std::cell::Cell;
 use std::ffi::{c_double, c_int, c_void};
+use std::sync::TryLockError;
 use std::time::{Duration, Instant};
 
 use super::border::border;
 use super::status::{
-    Answer, Failure, V_ERR_INTERNAL, V_ERR_REFUSED, V_OK, clear_last_error, clear_last_warning,
+    Answer, Failure, V_ERR_BUSY, V_ERR_INTERNAL, V_ERR_REFUSED, V_OK, clear_last_error,
+    clear_last_warning,
 };
 use crate::tools::fit::Progress;
 
@@ -27,9 +29,25 @@ thread_local! {
     static WITHIN: Cell<u32> = const { Cell::new(0) };
 }
 
-/// Whether this thread is within its callback: the call in progress may hold a path.
-pub(super) fn is_running() -> bool {
-    WITHIN.get() > 0
+const BUSY: Failure = Failure::Border(
+    V_ERR_BUSY,
+    "this path or scene is in use, and cannot be waited for within a progress callback",
+);
+
+/// The lock of a path or scene. Within a progress callback the call in progress may hold it, or
+/// another thread that waits for one of ours, so a callback does not wait.
+pub(super) fn locked<G, E>(
+    wait: impl FnOnce() -> Result<G, E>,
+    take: impl FnOnce() -> Result<G, TryLockError<G>>,
+    spoiled: Failure,
+) -> Answer<G> {
+    if WITHIN.get() == 0 {
+        return wait().map_err(|_| spoiled);
+    }
+    take().map_err(|error| match error {
+        TryLockError::WouldBlock => BUSY,
+        TryLockError::Poisoned(_) => spoiled,
+    })
 }
 
 /// Does work that the thread's callback may end.
@@ -65,18 +83,14 @@ fn asked(share: f64) -> bool {
     answer != 0
 }
 
-/// ==== Progress ====
-///
 /// Sets the function that the calling thread's long calls (those with V_ERR_REFUSED,
-/// except v_editors_close()) call at most ten times a second, not in the first tenth;
-/// NULL, the default: none. With up to a million triangles they call it at least twice
-/// a second, except while they read the object: about two seconds for a million.
+/// except v_editors_close()) call at most ten times a second; NULL, the default:
+/// none.
 ///
 /// progress  share is from 0 to 1, and may fall when another round begins. If it
-///     returns 0, the call fails with V_ERR_REFUSED and changes nothing. In it, a path
-///     in use, such as that of the call, is V_ERR_BUSY. No exception or longjmp() may
-///     leave it
-/// user  your pointer, passed to progress
+///     returns 0, the call fails with V_ERR_REFUSED and changes nothing. In it, a
+///     path or scene in use, such as that of the call, is V_ERR_BUSY. No exception or
+///     longjmp() may leave it
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_set_progress(
     progress: Option<unsafe extern "C" fn(share: c_double, user: *mut c_void) -> c_int>,

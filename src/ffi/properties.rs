@@ -6,17 +6,16 @@ use std::fmt::{self, Write as _};
 use std::sync::OnceLock;
 
 use super::border::border;
-use super::path::{change, read};
-use super::pointers::{
-    ArrayOut, Growing, GrowingOut, MAX_TEXT, Out, TextOut, count, index, most, slice, text,
-};
-use super::status::{Answer, Failure, V_ERR_INTERNAL, V_OK};
+use super::by_name::{by_name, get, get_numbers, get_text, numbers_given, set, text_given};
+use super::path;
+use super::pointers::{Growing, GrowingOut, Out, count, index, text};
+use super::status::{Failure, V_ERR_INTERNAL};
 use super::types::V_PATH;
-use crate::document::{self, Form, Given, properties};
-use crate::property::{Kind, Owner};
+use crate::document::{Document, Form, Given, SpaceTable, properties};
+use crate::property::{Kind, Owner, list};
 use crate::tools::check::FindingKind;
 
-/// ==== What properties are, see v_property_info() ====
+/// Kinds of property, and the functions for each.
 ///
 /// V_PROPERTY_NUMBER   v_path_set_number(), v_scene_set_number()
 /// V_PROPERTY_NUMBERS  v_path_set_numbers(), v_scene_set_numbers()
@@ -100,17 +99,23 @@ fn known() -> &'static [Known] {
             let (name, usual) = (format!("check.{}", limit.name), limit.default.to_string());
             let about = format!("Limit of a check: {}", limit.does);
             let range = (limit.least, f64::INFINITY);
-            known(&name, Kind::Number, [kind.unit(), &usual, &about], range)
+            let unit = kind.unit().replace("half sizes", "lengths");
+            known(&name, Kind::Number, [&unit, &usual, &about], range)
         });
-        all.chain(limits).collect()
+        let mut space = Vec::new();
+        list(Owner::Path, &SpaceTable::NEW, &mut space);
+        let space = space.iter().map(|row| {
+            let texts = [row.unit.name(), &row.new, row.does];
+            let range = row.range.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
+            known(&format!("space.{}", row.key), row.kind, texts, range)
+        });
+        all.chain(space).chain(limits).collect()
     })
 }
 
-/// ==== Properties by name ====
+/// ==== Properties: values of paths and scenes by their names in .vid files ====
 ///
-/// Gets what is known of a property, counted from 0, of paths, scenes and limits.
-/// v_property_count() returns their number.
-/// V_ERR_RANGE, V_ERR_SIZE.
+/// Gets what is known of a property of paths, scenes or checks, counted from 0.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_property_info(at: c_int, property: *mut V_PROPERTY) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -147,48 +152,6 @@ pub unsafe extern "C" fn v_property_count(count: *mut c_int) -> c_int {
     })
 }
 
-/// What a call by name answers: a failure says the name, and counts as that does, from 1.
-pub(super) fn named<T>(result: document::Result<T>) -> Answer<T> {
-    result.map_err(Failure::of_property)
-}
-
-/// A text of a host's for a property, of a length that a file can have.
-///
-/// # Safety
-/// `value` is NULL or points to a zero-terminated text, unchanged during `'a`.
-pub(super) unsafe fn value_text<'a>(value: *const c_char) -> Answer<Given<'a>> {
-    // SAFETY: as required of the caller.
-    let value = unsafe { text(value, "value") }?;
-    most(value.len(), MAX_TEXT, "the length of value")?;
-    Ok(Given::Text(value))
-}
-
-/// Numbers for a property from the host, or NULL.
-///
-/// # Safety
-/// As for [`slice()`].
-pub(super) unsafe fn value_numbers<'a>(values: *const f64, count: usize) -> Answer<Given<'a>> {
-    match count {
-        0 => Ok(Given::Numbers(&[])),
-        // SAFETY: as required of the caller.
-        _ => Ok(Given::Numbers(unsafe { slice(values, count, "values") }?)),
-    }
-}
-
-/// Writes numbers as the result of a call.
-///
-/// # Safety
-/// There is room for that many numbers, and for their count.
-pub(super) unsafe fn answer_numbers(out: ArrayOut<f64>, numbers: &[f64]) -> Answer<c_int> {
-    // SAFETY: as required of the caller.
-    unsafe {
-        if out.wants(numbers.len())? {
-            out.room(numbers.len())?.copy_from_slice(numbers);
-        }
-        out.answer(numbers.len())
-    }
-}
-
 /// Writes the name of a property into a buffer of this thread; one that is too long is cut short,
 /// and then no property matches.
 pub(super) fn thread_key(name: fmt::Arguments<'_>) -> *const c_char {
@@ -216,9 +179,9 @@ pub(super) fn thread_key(name: fmt::Arguments<'_>) -> *const c_char {
 }
 
 /// Returns the name of a property of an orientation, counted from 0, for loops:
-/// v_path_key(1, 2, "zoom") is "point.2.view.3.zoom". With orientation -1 it is one of
-/// the point, "point.2.position". Valid until the same thread's next call of this
-/// function or v_scene_key(); "" if key is NULL or not UTF-8, or an index negative.
+/// v_path_key(1, 2, "zoom") is "point.2.view.3.zoom"; with orientation -1 one of the
+/// point, "point.2.position". Valid until the same thread's next call of this
+/// function or v_scene_key(); "" if an argument is not valid.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_key(
     point: c_int,
@@ -236,51 +199,43 @@ pub unsafe extern "C" fn v_path_key(
     })
 }
 
-/// Sets a number of a path by its name, atomically, like `vides set`.
+/// Sets a number of a path by its name, atomically.
 ///
 /// name  a key of .vid files, points and orientations counted from 1: "fps",
-///     "point.2.zoom" (of its first orientation), "point.2.view.3.zoom", or a limit of
-///     v_path_check(), "check.turning". The unit at its end may be missing.
-///     docs/reference/files.md lists them, v_property_info() too; v_path_key() makes names of
-///     indices
+///     "point.2.zoom" (of its first orientation), "point.2.view.3.zoom",
+///     "space.half_size", or a limit of v_path_check(), "check.turning". The unit at
+///     its end may be missing. docs/reference/files.md lists them
 /// value  of a limit, INFINITY disables the check
 ///
-/// These functions fail with V_ERR_RANGE (no such property, or a value out of range),
-/// V_ERR_ARGUMENT (a property of another kind, another invalid value), V_ERR_LIMIT or
-/// V_ERR_MEMORY. v_last_error() names the property and counts as its name does, from 1.
+/// These functions fail with V_ERR_RANGE (no such property, or a value out of range)
+/// or V_ERR_ARGUMENT (a property of another kind, another invalid value).
+/// v_last_error() names the property and counts from 1.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_number(
     path: *mut V_PATH,
     name: *const c_char,
     value: f64,
 ) -> c_int {
-    // SAFETY: a zero-terminated text, as the header says.
-    unsafe { set(path, name, || Ok(Given::Number(value))) }
+    // SAFETY: as the header says.
+    unsafe { set(name, || Ok(Given::Number(value)), setter(path)) }
 }
 
-/// Gets a number by its name; NaN if it is not set.
-/// V_ERR_RANGE, V_ERR_ARGUMENT, V_ERR_MEMORY.
+/// Gets a number; NaN if it is not set.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_number(
     path: *const V_PATH,
     name: *const c_char,
     value: *mut f64,
 ) -> c_int {
-    border(V_ERR_INTERNAL, || {
-        let out = Out::new(value, "value")?;
-        // SAFETY: a zero-terminated text, as the header says.
-        let name = unsafe { text(name, "name") }?;
-        let number = read(path, |document| named(document.number_of(name)))?;
-        // SAFETY: room for a double, as the header says.
-        unsafe { out.answer(number.unwrap_or(f64::NAN)) }
-    })
+    // SAFETY: as the header says.
+    unsafe { get(name, value, getter(path, number)) }
 }
 
-/// Sets several numbers by their name: "point.2.position" (x y z), "point.2.own"
-/// (tension, continuity, bias), "base_speeds", "point.2.ease" (V_EASE_..., rise, fall,
-/// cruise), "point.2.distance" (pairs of time and distance). With count 0 the property
-/// is again that of a new path, or no longer set.
-/// V_ERR_RANGE, V_ERR_ARGUMENT (also a wrong count), V_ERR_LIMIT, V_ERR_MEMORY.
+/// Sets several numbers: "point.2.position", "point.2.own" (tension, continuity,
+/// bias), "base_speeds", "point.2.ease" (V_EASE_..., rise, fall, cruise),
+/// "point.2.distance" (pairs of time and distance), "space.centre". With count 0 the
+/// property is again that of a new path, or no longer set.
+/// V_ERR_ARGUMENT (also a wrong count).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_numbers(
     path: *mut V_PATH,
@@ -288,12 +243,11 @@ pub unsafe extern "C" fn v_path_set_numbers(
     values: *const f64,
     count: usize,
 ) -> c_int {
-    // SAFETY: a zero-terminated text and so many doubles, as the header says.
-    unsafe { set(path, name, || value_numbers(values, count)) }
+    // SAFETY: as the header says.
+    unsafe { set(name, || numbers_given(values, count), setter(path)) }
 }
 
-/// Gets several numbers by their name; none if they are not set.
-/// V_ERR_RANGE, V_ERR_ARGUMENT, V_ERR_SIZE, V_ERR_MEMORY.
+/// Gets several numbers; none if they are not set.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_numbers(
     path: *const V_PATH,
@@ -302,33 +256,32 @@ pub unsafe extern "C" fn v_path_get_numbers(
     capacity: usize,
     count: *mut usize,
 ) -> c_int {
-    border(V_ERR_INTERNAL, || {
-        let out = ArrayOut::new(values, capacity, count, ["values", "count"])?;
-        // SAFETY: a zero-terminated text, as the header says.
-        let name = unsafe { text(name, "name") }?;
-        let numbers = read(path, |document| named(document.numbers_of(name)))?;
-        // SAFETY: room for so many doubles and a size_t, as the header says.
-        unsafe { answer_numbers(out, &numbers) }
-    })
+    // SAFETY: as the header says.
+    unsafe {
+        get_numbers(
+            name,
+            values,
+            capacity,
+            count,
+            getter(path, Document::numbers_of),
+        )
+    }
 }
 
-/// Sets a text by its name: "title", "point.2.name", or the name of a choice: "curve",
-/// "orientation_mode". Other properties, too, from their text in a .vid file: "30",
-/// "[0, 1, 2]"; for these "" restores the value of a new path.
-/// V_ERR_RANGE, V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_MEMORY.
+/// Sets a text: "title", "point.2.name", or the name of a choice: "curve",
+/// "space.up". Other properties, too, from their text in a .vid file, "[0, 1, 2]";
+/// for these "" restores the value of a new path.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_text(
     path: *mut V_PATH,
     name: *const c_char,
     value: *const c_char,
 ) -> c_int {
-    // SAFETY: zero-terminated texts, as the header says.
-    unsafe { set(path, name, || value_text(value)) }
+    // SAFETY: as the header says.
+    unsafe { set(name, || text_given(value), setter(path)) }
 }
 
-/// Gets a text or a choice by its name; another property as in a .vid file. "" if it is
-/// not set.
-/// V_ERR_RANGE, V_ERR_ARGUMENT, V_ERR_SIZE, V_ERR_MEMORY.
+/// Gets a text or a choice; another property as in a .vid file. "" if it is not set.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_text(
     path: *const V_PATH,
@@ -337,59 +290,38 @@ pub unsafe extern "C" fn v_path_get_text(
     capacity: usize,
     length: *mut usize,
 ) -> c_int {
-    border(V_ERR_INTERNAL, || {
-        let out = TextOut::new(value, capacity, length, "value")?;
-        // SAFETY: a zero-terminated text, as the header says.
-        let name = unsafe { text(name, "name") }?;
-        let value = read(path, |document| named(document.text_of(name)))?;
-        // SAFETY: room as the header says.
-        unsafe { out.write(value.as_bytes()) }
-    })
+    // SAFETY: as the header says.
+    unsafe {
+        get_text(
+            name,
+            value,
+            capacity,
+            length,
+            getter(path, Document::text_of),
+        )
+    }
 }
 
-/// Sets a flag by its name: not 0 or 0.
-/// V_ERR_RANGE, V_ERR_ARGUMENT, V_ERR_MEMORY.
+/// Sets a flag, "closed": not 0 or 0.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_flag(
     path: *mut V_PATH,
     name: *const c_char,
     value: c_int,
 ) -> c_int {
-    // SAFETY: a zero-terminated text, as the header says.
-    unsafe { set(path, name, || Ok(Given::Flag(value != 0))) }
+    // SAFETY: as the header says.
+    unsafe { set(name, || Ok(Given::Flag(value != 0)), setter(path)) }
 }
 
-/// Gets a flag by its name: 1 or 0.
-/// V_ERR_RANGE, V_ERR_ARGUMENT, V_ERR_MEMORY.
+/// Gets a flag: 1 or 0.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_flag(
     path: *const V_PATH,
     name: *const c_char,
     value: *mut c_int,
 ) -> c_int {
-    border(V_ERR_INTERNAL, || {
-        let out = Out::new(value, "value")?;
-        // SAFETY: a zero-terminated text, as the header says.
-        let name = unsafe { text(name, "name") }?;
-        let on = read(path, |document| named(document.flag_of(name)))?;
-        // SAFETY: room for an int, as the header says.
-        unsafe { out.answer(c_int::from(on)) }
-    })
+    // SAFETY: as the header says.
+    unsafe { get(name, value, getter(path, flag)) }
 }
 
-/// Sets a property of a path.
-///
-/// # Safety
-/// `name` is NULL or points to a zero-terminated text.
-unsafe fn set<'a>(
-    path: *mut V_PATH,
-    name: *const c_char,
-    given: impl FnOnce() -> Answer<Given<'a>>,
-) -> c_int {
-    border(V_ERR_INTERNAL, || {
-        // SAFETY: as required of the caller.
-        let (name, given) = (unsafe { text(name, "name") }?, given()?);
-        change(path, |document| named(document.set_value(name, given)))?;
-        Ok(V_OK)
-    })
-}
+by_name!(V_PATH, Document, path::read, path::change);

@@ -48,7 +48,7 @@ pub(super) fn view(vpn: DVec3, vup: DVec3) -> Answer<(DVec3, DVec3)> {
     Ok((view, view.cross(unit(side))))
 }
 
-/// ==== Toolbox: quaternions ====
+/// ==== Toolbox: formulas without a path ====
 ///
 /// Gets the spherical linear interpolation from a (t = 0) to b (t = 1) by the shorter
 /// arc, at any finite t.
@@ -56,7 +56,6 @@ pub(super) fn view(vpn: DVec3, vup: DVec3) -> Answer<(DVec3, DVec3)> {
 /// Quaternions are w, x, y, z. Arguments are normalized; one that is zero or not finite
 /// is V_ERR_ARGUMENT. The identity is a camera that looks along (0, 0, 1) with (0, 1,
 /// 0) up. Results may be the same arrays as arguments.
-/// V_ERR_NULL, V_ERR_ARGUMENT.
 /// cbindgen:ptrs-as-arrays=[[a; 4], [b; 4], [q; 4]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_quat_slerp(a: *const f64, b: *const f64, t: f64, q: *mut f64) -> c_int {
@@ -78,7 +77,6 @@ pub unsafe extern "C" fn v_quat_slerp(a: *const f64, b: *const f64, t: f64, q: *
 
 /// Gets the quaternion of a camera that looks along vpn with vup up. Both may have any
 /// length but 0, and must not be parallel.
-/// V_ERR_NULL, V_ERR_ARGUMENT.
 /// cbindgen:ptrs-as-arrays=[[vpn; 3], [vup; 3], [q; 4]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_quat_from_view(vpn: *const f64, vup: *const f64, q: *mut f64) -> c_int {
@@ -94,7 +92,6 @@ pub unsafe extern "C" fn v_quat_from_view(vpn: *const f64, vup: *const f64, q: *
 }
 
 /// Gets the view direction and up vector of a quaternion.
-/// V_ERR_NULL, V_ERR_ARGUMENT.
 /// cbindgen:ptrs-as-arrays=[[q; 4], [vpn; 3], [vup; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_view_from_quat(q: *const f64, vpn: *mut f64, vup: *mut f64) -> c_int {

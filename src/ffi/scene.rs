@@ -2,6 +2,7 @@
 
 use std::cell::UnsafeCell;
 use std::ffi::{c_char, c_int};
+use std::ptr;
 
 use glam::{DQuat, DVec3};
 
@@ -162,7 +163,7 @@ fn node_for_c(node: &Node, number: impl Fn(usize) -> Option<usize>) -> Answer<V_
     })
 }
 
-/// ==== Scenes: made, loaded, saved, freed ====
+/// ==== Scenes: nodes that move on one timeline ====
 ///
 /// Fills in a node of this kind at the origin: visible, scale 1, rotation 1 0 0 0, no
 /// parent, no aim, zoom 24, white, intensity 1, a cone of 20 and 30 degrees, planes at
@@ -179,10 +180,8 @@ pub unsafe extern "C" fn v_node_init(node: *mut V_NODE, kind: c_int) {
     });
 }
 
-/// Makes a new scene: one camera, "camera", on the path of v_path_new(), from frame 1.
-/// For another space, call v_scene_set_space(), then v_scene_set_path() for node 0 with a
-/// path of v_path_new_in_space().
-/// V_ERR_MEMORY, V_ERR_LIMIT.
+/// Makes a new scene: one camera, "camera", on the path of v_path_new(), from frame
+/// 1.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_new(scene: *mut *mut V_SCENE) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -195,11 +194,11 @@ pub unsafe extern "C" fn v_scene_new(scene: *mut *mut V_SCENE) -> c_int {
 
 /// Reads a scene from a .vid file; one with only a path gives a camera on it.
 ///
-/// An object is left empty if its mesh file is missing, malformed, or outside the folder
-/// of the .vid file once links are followed (v_scene_load_geometry() reads it from
-/// anywhere); one that has changed is read as it is. v_last_warning() reports this, or
-/// returns "".
-/// V_ERR_IO, V_ERR_FORMAT, V_ERR_MEMORY, V_ERR_LIMIT.
+/// An object is left empty if its mesh file is missing, malformed, or outside the
+/// folder of the .vid file once links are followed (v_scene_load_geometry() reads it
+/// from anywhere); one that has changed is read as it is. v_last_warning() reports
+/// this.
+/// V_ERR_IO, V_ERR_FORMAT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_load(file: *const c_char, scene: *mut *mut V_SCENE) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -211,10 +210,9 @@ pub unsafe extern "C" fn v_scene_load(file: *const c_char, scene: *mut *mut V_SC
     })
 }
 
-/// Like v_scene_load(), from the text of a .vid file: size bytes, which need not be
-/// zero-terminated. Relative names of mesh files are looked up in the current
-/// directory.
-/// V_ERR_FORMAT, V_ERR_MEMORY, V_ERR_LIMIT.
+/// Like v_scene_load(), from the text of a .vid file: size bytes. Relative names of
+/// mesh files are looked up in the current directory.
+/// V_ERR_FORMAT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_load_from_memory(
     text: *const c_char,
@@ -242,7 +240,6 @@ fn insert_loaded(document: SceneDocument) -> Answer<*mut V_SCENE> {
 }
 
 /// Gets the text of the .vid file of a scene. The names of mesh files are unchanged.
-/// V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_save_to_memory(
     scene: *const V_SCENE,
@@ -259,7 +256,7 @@ pub unsafe extern "C" fn v_scene_save_to_memory(
 }
 
 /// Saves a scene, like v_path_save().
-/// V_ERR_IO, V_ERR_LIMIT, V_ERR_MEMORY.
+/// V_ERR_IO.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_save(scene: *const V_SCENE, file: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -272,7 +269,6 @@ pub unsafe extern "C" fn v_scene_save(scene: *const V_SCENE, file: *const c_char
 
 /// Makes an independent copy of a scene. Both share geometry until one of them changes
 /// it.
-/// V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_clone(scene: *const V_SCENE, copy: *mut *mut V_SCENE) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -294,22 +290,10 @@ pub unsafe extern "C" fn v_scene_free(scene: *mut V_SCENE) {
     });
 }
 
-/// ==== Nodes ====
+/// ==== Nodes: groups, objects, lights and cameras ====
 ///
-/// Gets the number of nodes.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn v_scene_node_count(scene: *const V_SCENE, count: *mut c_int) -> c_int {
-    border(V_ERR_INTERNAL, || {
-        let out = Out::new(count, "count")?;
-        let nodes = look(scene, |nodes| pointers::count(nodes.count()))?;
-        // SAFETY: room for an int, as the header says.
-        unsafe { out.answer(nodes) }
-    })
-}
-
 /// Adds a node after the others. *node receives its number; it may be NULL. name is
 /// unique in its scene, one line, not empty.
-/// V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_add_node(
     scene: *mut V_SCENE,
@@ -336,10 +320,9 @@ pub(super) fn copied_name(text: &str) -> Answer<String> {
     copied(text)
 }
 
-/// Removes a node with all its descendants. The numbers of later nodes decrease; nodes
-/// that aimed at a removed one no longer aim. Removing many in a row costs as much as
-/// one, even if you read nodes in between.
-/// V_ERR_RANGE, V_ERR_MEMORY.
+/// Removes a node with all its descendants. The numbers of later nodes decrease;
+/// nodes that aimed at a removed one no longer aim. Removing many in a row costs as
+/// much as one, even if you read nodes in between.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_remove_node(scene: *mut V_SCENE, node: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -371,7 +354,6 @@ pub unsafe extern "C" fn v_scene_find_node(
 }
 
 /// Gets the name of a node.
-/// V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_name(
     scene: *const V_SCENE,
@@ -390,7 +372,6 @@ pub unsafe extern "C" fn v_scene_get_name(
 }
 
 /// Renames a node, see v_scene_add_node().
-/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_name(
     scene: *mut V_SCENE,
@@ -405,7 +386,6 @@ pub unsafe extern "C" fn v_scene_set_name(
 }
 
 /// Gets a node at rest.
-/// V_ERR_SIZE, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_node(
     scene: *const V_SCENE,
@@ -431,8 +411,7 @@ pub unsafe extern "C" fn v_scene_get_node(
 /// position, rotation and scale are relative to the old one: the node keeps its place
 /// in the world at the scene's first frame. A node that moves can only change to a
 /// parent in the same place as the old one.
-/// V_ERR_SIZE, V_ERR_ARGUMENT (such as a cycle), V_ERR_RANGE, V_ERR_LIMIT,
-/// V_ERR_MEMORY.
+/// V_ERR_ARGUMENT (such as a cycle).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_node(
     scene: *mut V_SCENE,
@@ -451,14 +430,11 @@ pub unsafe extern "C" fn v_scene_set_node(
     })
 }
 
-/// ==== What moves a node ====
-///
 /// Makes a node follow a path; NULL: none. Pose n is shown at the scene's frame
 /// start_frame + n - 1. The path moves position, rotation and zoom in the parent's
 /// coordinates; a node with a track for one of them cannot have a path.
 ///
 /// after  V_AFTER_HOLD, V_AFTER_REPEAT or V_AFTER_PINGPONG; before the path, too
-/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_path(
     scene: *mut V_SCENE,
@@ -477,30 +453,40 @@ pub unsafe extern "C" fn v_scene_set_path(
     })
 }
 
-/// Gets a copy of the path that a node follows.
-/// V_ERR_ARGUMENT (it follows none), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// Gets a copy of the path that a node follows, and its start_frame and after.
+/// V_ERR_ARGUMENT (it follows none).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_path(
     scene: *const V_SCENE,
     node: c_int,
     path: *mut *mut V_PATH,
+    start_frame: *mut f64,
+    after: *mut c_int,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let (out, node) = (Out::new(path, "path")?, index(node, "node")?);
-        let copy = read(scene, |document| {
+        let (out, node) = (Out::optional(path, "path")?, index(node, "node")?);
+        let (start, beyond) = (
+            Out::optional(start_frame, "start_frame")?,
+            Out::optional(after, "after")?,
+        );
+        let (copy, from, how) = read(scene, |document| {
             let node = document.scene.node(node)?;
             let none = || Refused::NoPathOf((&node.name).into());
             let found = node.path().ok_or_else(none)?;
-            Ok(found.path().clone())
+            let copy = (!path.is_null()).then(|| found.path().clone());
+            Ok((copy, found.start_frame(), found.extrapolation() as c_int))
         })?;
-        let made = path::insert_new(copy, Info::default().fps)?;
-        // SAFETY: room for a handle, as the header says.
-        unsafe { out.answer(made) }
+        let made = copy.map(|copy| path::insert_new(copy, Info::default().fps));
+        // SAFETY: room for a handle, a double and an int, as the header says.
+        unsafe {
+            start.write(from);
+            beyond.write(how);
+            out.answer(made.transpose()?.unwrap_or(ptr::null_mut()))
+        }
     })
 }
 
 /// Sets a marker at a frame, or moves the one of this name (one line, not empty).
-/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_marker(
     scene: *mut V_SCENE,
@@ -516,7 +502,6 @@ pub unsafe extern "C" fn v_scene_set_marker(
 
 /// Pins a point of a node's path to a marker; NULL removes the pin. Pins hold when the
 /// path changes, and are saved.
-/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_pin(
     scene: *mut V_SCENE,

@@ -1,6 +1,6 @@
 //! What has been set in a scene, read again.
 
-use std::ffi::{c_char, c_int};
+use std::ffi::{c_char, c_int, c_uchar};
 
 use glam::DVec3;
 
@@ -8,11 +8,9 @@ use super::border::border;
 use super::object::to_c;
 use super::pointers::{self, ArrayOut, GrowingOut, Out, index, text};
 use super::scene::thread_text;
-use super::scene_handles::{change, read};
+use super::scene_handles::{change, look, read};
 use super::scene_types::*;
 use super::status::{Answer, Failure, V_ERR_INTERNAL};
-use crate::error::Refused;
-use crate::scene::Scene;
 
 /// The entry at an index of a list.
 fn entry<'a, T>(all: &'a [T], at: usize, what: &'static str) -> Answer<&'a T> {
@@ -20,75 +18,44 @@ fn entry<'a, T>(all: &'a [T], at: usize, what: &'static str) -> Answer<&'a T> {
     all.get(at).ok_or(Failure::NoEntry { what, at, count })
 }
 
-/// Writes a count as the result of a call.
+/// ==== Contents: what has been set in a scene ====
 ///
-/// # Safety
-/// `count` is NULL or points to room for an int.
-unsafe fn answer_count(
-    scene: *const V_SCENE,
-    count: *mut c_int,
-    of: impl FnOnce(&Scene) -> Answer<usize>,
-) -> Answer<c_int> {
-    let out = Out::new(count, "count")?;
-    let found = read(scene, |document| {
-        of(&document.scene).and_then(pointers::count)
-    })?;
-    // SAFETY: as required of the caller.
-    unsafe { out.answer(found) }
-}
-
-/// ==== What has been set in a scene ====
-///
-/// Gets start_frame and after of a node's path, see v_scene_set_path().
-/// V_ERR_ARGUMENT (it follows none), V_ERR_RANGE.
+/// Gets how many there are of a scene's "nodes", "markers" or "pins" (node is then
+/// ignored), or of a node's "tracks", "shapes" or "deformations".
+/// V_ERR_ARGUMENT (no such thing; no object).
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn v_scene_get_start(
+pub unsafe extern "C" fn v_scene_count(
     scene: *const V_SCENE,
     node: c_int,
-    start_frame: *mut f64,
-    after: *mut c_int,
-) -> c_int {
-    border(V_ERR_INTERNAL, || {
-        let (start, beyond) = (
-            Out::optional(start_frame, "start_frame")?,
-            Out::optional(after, "after")?,
-        );
-        let node = index(node, "node")?;
-        let (from, how) = read(scene, |document| {
-            let node = document.scene.node(node)?;
-            let none = || Refused::NoPathOf((&node.name).into());
-            let found = node.path().ok_or_else(none)?;
-            Ok((found.start_frame(), found.extrapolation() as c_int))
-        })?;
-        // SAFETY: room for a double and an int, as the header says.
-        unsafe {
-            start.write(from);
-            beyond.answer(how)
-        }
-    })
-}
-
-/// Gets the number of tracks of a node.
-/// V_ERR_RANGE.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn v_scene_track_count(
-    scene: *const V_SCENE,
-    node: c_int,
+    what: *const c_char,
     count: *mut c_int,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let node = index(node, "node")?;
+        let out = Out::new(count, "count")?;
+        // SAFETY: a zero-terminated text, as the header says.
+        let what = unsafe { text(what, "what") }?;
+        let found = match what {
+            // Also between removals.
+            "nodes" => look(scene, |nodes| pointers::count(nodes.count()))?,
+            _ => read(scene, |document| {
+                let scene = &document.scene;
+                let node = || index(node, "node");
+                pointers::count(match what {
+                    "markers" => scene.markers().len(),
+                    "pins" => scene.pins().len(),
+                    "tracks" => scene.node(node()?)?.keys().tracks().len(),
+                    "shapes" => scene.object(node()?)?.shapes().len(),
+                    "deformations" => scene.object(node()?)?.deformations().len(),
+                    _ => return Err(Failure::NoKind(what.into())),
+                })
+            })?,
+        };
         // SAFETY: room for an int, as the header says.
-        unsafe {
-            answer_count(scene, count, |scene| {
-                Ok(scene.node(node)?.keys().tracks().len())
-            })
-        }
+        unsafe { out.answer(found) }
     })
 }
 
 /// Gets the channel of a node's track, for v_scene_get_track().
-/// V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_channel(
     scene: *const V_SCENE,
@@ -111,17 +78,7 @@ pub unsafe extern "C" fn v_scene_get_channel(
     })
 }
 
-/// Gets the number of markers.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn v_scene_marker_count(scene: *const V_SCENE, count: *mut c_int) -> c_int {
-    border(V_ERR_INTERNAL, || {
-        // SAFETY: room for an int, as the header says.
-        unsafe { answer_count(scene, count, |scene| Ok(scene.markers().len())) }
-    })
-}
-
 /// Gets a marker; they are sorted by name.
-/// V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_marker(
     scene: *const V_SCENE,
@@ -160,17 +117,7 @@ pub unsafe extern "C" fn v_scene_remove_marker(scene: *mut V_SCENE, name: *const
     })
 }
 
-/// Gets the number of points that are pinned to markers.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn v_scene_pin_count(scene: *const V_SCENE, count: *mut c_int) -> c_int {
-    border(V_ERR_INTERNAL, || {
-        // SAFETY: room for an int, as the header says.
-        unsafe { answer_count(scene, count, |scene| Ok(scene.pins().len())) }
-    })
-}
-
 /// Gets a pin of v_scene_pin(); they are sorted by node and point.
-/// V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_pin(
     scene: *const V_SCENE,
@@ -197,7 +144,7 @@ pub unsafe extern "C" fn v_scene_get_pin(
 
 /// Gets the geometry of an object at rest; 0 points if it has none. The arrays are
 /// valid until the scene is changed or freed.
-/// V_ERR_SIZE, V_ERR_ARGUMENT (no object), V_ERR_RANGE.
+/// V_ERR_ARGUMENT (no object).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_geometry(
     scene: *const V_SCENE,
@@ -216,24 +163,9 @@ pub unsafe extern "C" fn v_scene_get_geometry(
     })
 }
 
-/// Gets the number of shapes of an object.
-/// V_ERR_ARGUMENT (no object), V_ERR_RANGE.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn v_scene_shape_count(
-    scene: *const V_SCENE,
-    node: c_int,
-    count: *mut c_int,
-) -> c_int {
-    border(V_ERR_INTERNAL, || {
-        let node = index(node, "node")?;
-        // SAFETY: room for an int, as the header says.
-        unsafe { answer_count(scene, count, |scene| Ok(scene.object(node)?.shapes().len())) }
-    })
-}
-
-/// Gets the name and the points of an object's shape: three numbers per point; capacity
-/// and *points count points. Any result may be NULL.
-/// V_ERR_SIZE, V_ERR_ARGUMENT (no object), V_ERR_RANGE.
+/// Gets the name of an object's shape, its points and, if it has its own (*coloured 1),
+/// their colours. capacity and *points count points.
+/// V_ERR_ARGUMENT (no object).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_shape(
     scene: *const V_SCENE,
@@ -241,22 +173,35 @@ pub unsafe extern "C" fn v_scene_get_shape(
     at: c_int,
     name: *mut *const c_char,
     xyz: *mut f64,
+    rgb: *mut c_uchar,
     capacity: usize,
     points: *mut usize,
+    coloured: *mut c_int,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let name = Out::optional(name, "name")?;
+        let (name, coloured) = (
+            Out::optional(name, "name")?,
+            Out::optional(coloured, "coloured")?,
+        );
+        let colours =
+            ArrayOut::optional(rgb.cast::<[u8; 3]>(), capacity, points, ["rgb", "points"])?;
         // A point is three doubles, see `object`.
         let out = ArrayOut::optional(xyz.cast::<DVec3>(), capacity, points, ["xyz", "points"])?;
         let (node, at) = (index(node, "node")?, index(at, "at")?);
         read(scene, |document| {
             let shape = entry(document.scene.object(node)?.shapes(), at, "shape")?;
             let count = shape.points.len();
-            // SAFETY: room for a pointer, that many points and a size_t, as the header says.
+            // SAFETY: room for a pointer, so many points and colours, an int and a size_t, as the
+            // header says.
             unsafe {
-                if out.wants(count)? && count > 0 {
+                let wanted = [out.wants(count)?, colours.wants(count)?];
+                if wanted[0] && count > 0 {
                     out.room(count)?.copy_from_slice(&shape.points);
                 }
+                if wanted[1] && !shape.colours.is_empty() {
+                    colours.room(count)?.copy_from_slice(&shape.colours);
+                }
+                coloured.write(c_int::from(!shape.colours.is_empty()));
                 name.write(thread_text(&shape.name));
                 out.answer(count)
             }
@@ -266,7 +211,7 @@ pub unsafe extern "C" fn v_scene_get_shape(
 
 /// Removes a shape of an object. The numbers of later shapes decrease; the others keep
 /// their weights, also in a track of the channel "weights".
-/// V_ERR_ARGUMENT (no object), V_ERR_RANGE, V_ERR_MEMORY.
+/// V_ERR_ARGUMENT (no object).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_remove_shape(
     scene: *mut V_SCENE,
@@ -279,29 +224,10 @@ pub unsafe extern "C" fn v_scene_remove_shape(
     })
 }
 
-/// Gets the number of deformations of an object.
-/// V_ERR_ARGUMENT (no object), V_ERR_RANGE.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn v_scene_deformation_count(
-    scene: *const V_SCENE,
-    node: c_int,
-    count: *mut c_int,
-) -> c_int {
-    border(V_ERR_INTERNAL, || {
-        let node = index(node, "node")?;
-        // SAFETY: room for an int, as the header says.
-        unsafe {
-            answer_count(scene, count, |scene| {
-                Ok(scene.object(node)?.deformations().len())
-            })
-        }
-    })
-}
-
 /// Gets the kind, parameters and box of an object's deformation. A box of 1 1 1 -1 -1
 /// -1, which no other is, stands for the bounds of the geometry: give
-/// v_scene_add_deformation() NULL then. Any result may be NULL.
-/// V_ERR_SIZE, V_ERR_ARGUMENT (no object), V_ERR_RANGE.
+/// v_scene_add_deformation() NULL then.
+/// V_ERR_ARGUMENT (no object).
 /// cbindgen:ptrs-as-arrays=[[box; 6]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_deformation(

@@ -9,6 +9,7 @@ use std::sync::{RwLock, RwLockReadGuard};
 
 use super::counted::TryArc;
 use super::handles::{Handles, KIND_SCENE};
+use super::progress::locked;
 use super::scene_types::V_SCENE;
 use super::status::{Answer, Failure, V_ERR_BUSY, V_ERR_INTERNAL, V_OK};
 use crate::document::SceneDocument;
@@ -74,13 +75,13 @@ fn lookup(scene: *const V_SCENE) -> Answer<TryArc<RwLock<Held>>> {
 /// A scene without marks, to be read.
 fn settled(scene: &RwLock<Held>) -> Answer<RwLockReadGuard<'_, Held>> {
     loop {
-        let held = scene.read().map_err(|_| SPOILED)?;
+        let held = locked(|| scene.read(), || scene.try_read(), SPOILED)?;
         if held.removal.is_none() {
             return Ok(held);
         }
         drop(held);
         // Until the lock is taken again another thread may remove more.
-        scene.write().map_err(|_| SPOILED)?.settle();
+        locked(|| scene.write(), || scene.try_write(), SPOILED)?.settle();
     }
 }
 
@@ -131,14 +132,14 @@ pub(super) fn look<R>(
     look: impl FnOnce(&Nodes<'_>) -> Answer<R>,
 ) -> Answer<R> {
     let scene = lookup(scene)?;
-    let held = scene.read().map_err(|_| SPOILED)?;
+    let held = locked(|| scene.read(), || scene.try_read(), SPOILED)?;
     inject::point(inject::Place::Path);
     look(&Nodes(&held))
 }
 
 fn write<R>(scene: *mut V_SCENE, change: impl FnOnce(&mut Held) -> Answer<R>) -> Answer<R> {
     let scene = lookup(scene)?;
-    let mut held = scene.write().map_err(|_| SPOILED)?;
+    let mut held = locked(|| scene.write(), || scene.try_write(), SPOILED)?;
     inject::point(inject::Place::Path);
     change(&mut held)
 }

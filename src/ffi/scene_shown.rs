@@ -10,11 +10,9 @@ use super::scene_types::*;
 use super::status::{Answer, Failure, V_ERR_INTERNAL};
 use crate::scene::Keep;
 
-/// ==== What is shown of a scene ====
-///
 /// Sets the camera that is shown; -1: the first one on a path, else the first one. The
 /// choice follows the node, is removed with it, and is saved.
-/// V_ERR_ARGUMENT (no camera), V_ERR_RANGE.
+/// V_ERR_ARGUMENT (no camera).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_camera(scene: *mut V_SCENE, node: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -34,9 +32,9 @@ pub unsafe extern "C" fn v_scene_get_camera(scene: *const V_SCENE, node: *mut c_
     })
 }
 
-/// Sets the first and last frame; if first > last, they follow from all paths and keys.
-/// They are saved.
-/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT (more than 100000000 frames).
+/// Sets the first and last frame; if first > last, they follow from all paths and
+/// keys. They are saved.
+/// V_ERR_LIMIT (more than 100000000 frames).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_range(scene: *mut V_SCENE, first: f64, last: f64) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -54,7 +52,7 @@ pub unsafe extern "C" fn v_scene_set_range(scene: *mut V_SCENE, first: f64, last
 /// keep  V_KEEP_PLACE: its place in the world at the scene's first frame, as in
 ///     v_scene_set_node(). V_KEEP_NUMBERS: its values, path and tracks; it moves with
 ///     its new parent
-/// V_ERR_ARGUMENT (such as a cycle), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// V_ERR_ARGUMENT (such as a cycle).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_parent(
     scene: *mut V_SCENE,

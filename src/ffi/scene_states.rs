@@ -1,6 +1,6 @@
 //! The scene at a frame.
 
-use std::ffi::{c_char, c_int};
+use std::ffi::{c_char, c_int, c_uchar};
 
 use glam::DVec3;
 
@@ -29,11 +29,10 @@ fn report(document: &SceneDocument, warnings: &Warnings) {
     }
 }
 
-/// ==== The scene at a frame ====
+/// ==== Evaluation: the scene at a frame ====
 ///
 /// Gets the first and last frame: those of v_scene_set_range(), otherwise those of all
 /// paths and keys; 1 and 1 if nothing moves.
-/// V_ERR_ARGUMENT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_frame_range(
     scene: *const V_SCENE,
@@ -52,13 +51,11 @@ pub unsafe extern "C" fn v_scene_frame_range(
     })
 }
 
-/// Gets the states of all nodes at any finite frame, in the order of their numbers. Any
-/// result may be NULL.
+/// Gets the states of all nodes at any finite frame, in the order of their numbers.
 ///
-/// If a "host:" interpolation is not registered, fails or returns a number that is not
-/// finite, its channel steps from key to key; v_last_warning() reports it, or returns
-/// "".
-/// V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// If a "host:" interpolation is not registered, fails or returns a number that is
+/// not finite, its channel steps from key to key; v_last_warning() reports it, also
+/// after the functions below.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_evaluate(
     scene: *const V_SCENE,
@@ -105,8 +102,6 @@ pub unsafe extern "C" fn v_scene_evaluate(
 }
 
 /// Gets count states of one node, at the frames first, first + frame_step and so on.
-/// v_last_warning() as for v_scene_evaluate().
-/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_sample(
     scene: *const V_SCENE,
@@ -148,8 +143,7 @@ pub unsafe extern "C" fn v_scene_sample(
 }
 
 /// Gets the value of a channel at a frame, with or without a track, and the number of
-/// its components. Any result may be NULL. v_last_warning() as for v_scene_evaluate().
-/// V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// its components.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_value(
     scene: *const V_SCENE,
@@ -183,16 +177,16 @@ pub unsafe extern "C" fn v_scene_value(
     })
 }
 
-/// Gets the points of an object at a frame, morphed and deformed, in the coordinates of
-/// the node: three numbers per point; capacity and *points count points. Any result may
-/// be NULL. v_last_warning() as for v_scene_evaluate().
-/// V_ERR_SIZE, V_ERR_ARGUMENT (no object), V_ERR_RANGE, V_ERR_MEMORY.
+/// Gets the points of an object at a frame, morphed and deformed, in the coordinates
+/// of the node, and their colours, morphed likewise (unchanged if the mesh has none).
+/// capacity and *points count points.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_vertices(
     scene: *const V_SCENE,
     node: c_int,
     frame: f64,
     xyz: *mut f64,
+    rgb: *mut c_uchar,
     capacity: usize,
     points: *mut usize,
 ) -> c_int {
@@ -200,16 +194,25 @@ pub unsafe extern "C" fn v_scene_vertices(
         const { assert!(size_of::<DVec3>() == 24 && align_of::<DVec3>() == 8) };
         let (xyz, node) = (xyz.cast::<DVec3>(), index(node, "node")?);
         let out = ArrayOut::optional(xyz, capacity, points, ["xyz", "points"])?;
+        let colours =
+            ArrayOut::optional(rgb.cast::<[u8; 3]>(), capacity, points, ["rgb", "points"])?;
         let count = read(scene, |document| {
             let count = mesh_points(&document.scene.node(node)?.kind);
             // SAFETY: room for a size_t, as the header says.
-            let wanted = unsafe { out.wants(count) }?;
+            let wanted = unsafe { [out.wants(count)?, colours.wants(count)?] };
             let mut warnings = Warnings::default();
             let form = document.scene.form(node, frame, &mut warnings)?;
-            if wanted && count > 0 {
+            if wanted[0] && count > 0 {
                 // SAFETY: room for that many points, as the header says; a point is three doubles,
                 // and no host function runs meanwhile.
                 form.points(unsafe { out.room(count) }?);
+            }
+            if wanted[1] {
+                let made = document.scene.vertex_colours(node, frame, &mut warnings)?;
+                if !made.is_empty() {
+                    // SAFETY: room for so many colours, as the header says.
+                    unsafe { colours.room(count) }?.copy_from_slice(&made);
+                }
             }
             report(document, &warnings);
             Ok(count)

@@ -1,6 +1,6 @@
 //! Tracks, the host's own interpolations, objects and deformations.
 
-use std::ffi::{c_char, c_int, c_void};
+use std::ffi::{c_char, c_int, c_uchar, c_void};
 use std::sync::Arc;
 
 use glam::DVec3;
@@ -60,7 +60,7 @@ fn width(scene: *const V_SCENE, node: usize, channel: &Channel, euler: bool) -> 
     })
 }
 
-/// ==== Tracks ====
+/// ==== Tracks: values by keys ====
 ///
 /// Sets the keys of a channel, replacing older ones; 0 keys remove the track.
 ///
@@ -79,7 +79,6 @@ fn width(scene: *const V_SCENE, node: usize, channel: &Channel, euler: bool) -> 
 /// shape  "hermite": the tangents before and after each key (2 x width, per frame);
 ///     "tcb": tension, continuity and bias of each key; otherwise NULL
 /// after  V_AFTER_..., optionally | V_BEFORE_...
-/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_track(
     scene: *mut V_SCENE,
@@ -151,8 +150,7 @@ fn both(after: c_int) -> Answer<(Extrapolation, Extrapolation)> {
 }
 
 /// Gets the keys of a channel as set. *keys receives their number, 0 if there is no
-/// track (*interpolation is then ""). capacity counts keys. Any result may be NULL.
-/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_SIZE.
+/// track (*interpolation is then ""). capacity counts keys.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_track(
     scene: *const V_SCENE,
@@ -285,7 +283,6 @@ impl Host {
 /// replacing an older one; NULL removes it. name is NAME, with or without "host:". Any
 /// thread that evaluates a scene calls it. It must not use scenes, and no longjmp() and
 /// no exception may leave it.
-/// V_ERR_ARGUMENT, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_register_interpolation(
     name: *const c_char,
@@ -313,11 +310,10 @@ pub unsafe extern "C" fn v_register_interpolation(
     })
 }
 
-/// ==== Objects ====
+/// ==== Objects: meshes, shapes and deformations ====
 ///
 /// Sets the geometry of an object. If the object has shapes, the mesh must have as many
 /// points as they have.
-/// V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_geometry(
     scene: *mut V_SCENE,
@@ -335,7 +331,7 @@ pub unsafe extern "C" fn v_scene_set_geometry(
 /// Reads the geometry of an object from an OBJ, PLY, STL or glTF file, by its
 /// extension. A saved .vid file refers to that file instead of containing the points,
 /// by a relative name if it is in the same folder or below.
-/// V_ERR_IO, V_ERR_FORMAT, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// V_ERR_IO, V_ERR_FORMAT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_load_geometry(
     scene: *mut V_SCENE,
@@ -417,23 +413,30 @@ unsafe fn indices<const N: usize>(
 /// Adds a shape to an object: other positions for all its points, with weight 0 at
 /// first. The channel "weights" has one number per shape; the mesh itself gets the
 /// remainder to 1.
-/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+///
+/// rgb  three bytes per point; NULL: the colours of the mesh
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_add_shape(
     scene: *mut V_SCENE,
     node: c_int,
     name: *const c_char,
     xyz: *const f64,
+    rgb: *const c_uchar,
     points: usize,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
         let node = index(node, "node")?;
-        // SAFETY: a zero-terminated text and that many points, as the header says.
+        // SAFETY: a zero-terminated text, and so many points and colours, as the header says.
         let shape = unsafe {
+            let mut colours = Vec::new();
+            if let Some(given) = optional(rgb, |rgb| slice(rgb.cast(), points, "rgb"))? {
+                colours = vec_with_room(points)?;
+                colours.extend_from_slice(given);
+            }
             Shape {
                 name: copied_name(text(name, "name")?)?,
                 points: self::points(xyz, points, ["xyz", "points"].map(Name::Parameter))?,
-                colours: Vec::new(),
+                colours,
             }
         };
         change(scene, |scene| scene.add_shape(node, shape))
@@ -468,7 +471,6 @@ pub(super) unsafe fn bounds(corners: *const f64) -> Answer<Bounds> {
 
 /// Adds a deformation (see v_deform()) to an object, after the others. *at receives its
 /// number and may be NULL. box NULL: the bounds of the geometry at rest.
-/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 /// cbindgen:ptrs-as-arrays=[[box; 6]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_add_deformation(
@@ -497,7 +499,6 @@ pub unsafe extern "C" fn v_scene_add_deformation(
 
 /// Removes a deformation with its tracks. The numbers of later deformations decrease,
 /// in the names of channels too.
-/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_remove_deformation(
     scene: *mut V_SCENE,
@@ -524,8 +525,6 @@ pub unsafe extern "C" fn v_scene_remove_deformation(
 /// "free-form"  64 points, 3 numbers each (points): a Bezier volume over the box,
 ///              the first index fastest; (-1, -1, -1), (-1/3, -1, -1) ... is the
 ///              identity. Points outside the box do not move
-///
-/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 /// cbindgen:ptrs-as-arrays=[[box; 6]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_deform(

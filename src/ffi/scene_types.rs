@@ -13,8 +13,6 @@ pub struct v_scene {
     _private: (),
 }
 
-/// ==== Scenes ====
-///
 /// A handle for a scene (see V_PATH): a tree of nodes that move on one timeline.
 ///
 /// Inside a function given to v_register_interpolation(), functions that take a V_SCENE
@@ -22,8 +20,6 @@ pub struct v_scene {
 /// the same thread's next call that returns one.
 pub type V_SCENE = v_scene;
 
-/// ==== Kinds of nodes, and how motions go on ====
-///
 /// The kinds of node.
 pub const V_NODE_GROUP: c_int = 0;
 pub const V_NODE_OBJECT: c_int = 1;

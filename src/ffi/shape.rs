@@ -3,46 +3,18 @@
 use std::ffi::c_int;
 
 use super::border::border;
-use super::path::{edit, edit_and, read};
-use super::pointers::{Out, count, index, read_vector};
+use super::path::{edit_and, read};
+use super::pointers::{Out, count};
 use super::points::point;
 use super::status::{V_ERR_INTERNAL, V_OK};
 use super::types::V_PATH;
-use crate::document::{At, Edit};
-use crate::path::{Tangents, curve};
-
-/// ==== Tangents, points on the curve ====
-///
-/// Gives a point custom tangents: the derivatives with which the curve reaches it
-/// (before) and leaves it (after), a segment counting 1; if both are NULL, those of the
-/// curve's kind again. Coordinates as in v_path_insert_point().
-/// V_ERR_ARGUMENT, V_ERR_RANGE.
-/// cbindgen:ptrs-as-arrays=[[before; 3], [after; 3]]
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn v_path_set_tangents(
-    path: *mut V_PATH,
-    at: c_int,
-    before: *const f64,
-    after: *const f64,
-) -> c_int {
-    border(V_ERR_INTERNAL, || {
-        let tangents = if before.is_null() && after.is_null() {
-            None
-        } else {
-            // SAFETY: three doubles each, as the header says.
-            let (before, after) =
-                unsafe { (read_vector(before, "before")?, read_vector(after, "after")?) };
-            Some(Tangents { before, after })
-        };
-        let at = index(at, "at")?;
-        edit(path, Edit::set(At::Point(at), "tangents", tangents))
-    })
-}
+use crate::document::Edit;
+use crate::path::curve;
 
 /// Gets the tangents of the curve at a point, equal at an end of an open path, and
-/// whether they are custom: 1 or 0. Setting them does not change the curve, except for
-/// rounding in a cubic spline.
-/// V_ERR_RANGE.
+/// whether they are custom: 1 or 0. The property "tangents" sets them: the
+/// derivatives with which the curve reaches and leaves the point, a segment counting
+/// 1.
 /// cbindgen:ptrs-as-arrays=[[before; 3], [after; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_tangents(
@@ -76,15 +48,13 @@ pub unsafe extern "C" fn v_path_get_tangents(
 }
 
 /// Inserts a point on the curve where the camera is at a frame, without changing the
-/// curve, any pose or the number of frames. It gets the nearest whole frame within the
-/// section; a section of one frame becomes two, split where you ask. Neighbours get
-/// custom tangents, angular velocities, slopes of zoom and roll, and a part of the old
-/// speed profile. Such tangents are removed when their point or a neighbour moves alone;
-/// v_path_set_tangents() makes them permanent. *at receives the index; it may be NULL.
+/// curve, any pose or the number of frames. It gets the nearest whole frame within
+/// the section; a section of one frame becomes two, split where you ask. Neighbours
+/// get custom tangents, angular velocities, slopes of zoom and roll, and a part of
+/// the old speed profile; such tangents are removed when their point or a neighbour
+/// moves alone, unless you set them. *at receives the index.
 ///
-/// frame  not at a key, not in a pan, not with orientation_mode
-///     "barry-goldman"
-/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// frame  not at a key, not in a pan, not with orientation_mode "barry-goldman"
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_insert_on_curve(
     path: *mut V_PATH,

@@ -48,7 +48,6 @@ unsafe fn keys_and_times<'a>(
 /// key_times  the time of each key, strictly increasing
 /// count  at least 2
 /// when  from the first time to the last
-/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 /// cbindgen:ptrs-as-arrays=[[q; 4]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_quat_spline(
@@ -70,7 +69,6 @@ pub unsafe extern "C" fn v_quat_spline(
 
 /// Like v_quat_spline(), on a cubic spherical curve. tcb has tension, continuity and
 /// bias of each key, from -1 to 1; NULL: all zero.
-/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 /// cbindgen:ptrs-as-arrays=[[q; 4]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_quat_tcb_spline(
@@ -98,15 +96,13 @@ pub unsafe extern "C" fn v_quat_tcb_spline(
     })
 }
 
-/// ==== Toolbox: speed curve ====
-///
 /// Gets, at u from 0 to 1, the speed and the fraction of the distance on the speed
-/// curve of a section: ten speeds from 1 to 100 at u = 0, 1/9, ... 1, smoothly joined,
-/// never leaving 1 to 100. (On a path, where the adjacent speed is equal to that of the
-/// section, the acceleration is joined too, which depends on more of both sections.)
+/// curve of a section: ten speeds from 1 to 100 at u = 0, 1/9, ... 1, smoothly
+/// joined, never leaving 1 to 100. (On a path, where the adjacent speed equals that
+/// of the section, the acceleration is joined, too.)
 ///
-/// before, after  the adjacent speed of the section before and after; NULL: no section
-/// V_ERR_ARGUMENT, V_ERR_RANGE.
+/// before, after  the adjacent speed of the section before and after; NULL: no
+///     section
 /// cbindgen:ptrs-as-arrays=[[speed; 10]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_speed_curve(

@@ -129,6 +129,8 @@ pub(super) enum Failure {
     NoWindow { name: &'static str, given: c_ulong },
     #[error("there is no tool \"{0}\" for a path")]
     NoTool(Text),
+    #[error("there are no \"{0}\"; known: nodes, markers, pins, tracks, shapes, deformations")]
+    NoKind(Text),
     #[error("the last tool reported no number \"{0}\"")]
     NoNumber(Text),
     /// An error of a property, which counts as its name does.
@@ -221,6 +223,7 @@ impl Failure {
             | Self::Zero(_)
             | Self::NoTool(_)
             | Self::NoNumber(_)
+            | Self::NoKind(_)
             | Self::NotPositive { .. } => V_ERR_ARGUMENT,
             Self::Size { .. } | Self::NoRoom { .. } => V_ERR_SIZE,
             Self::TooMany { .. } => V_ERR_LIMIT,
@@ -445,28 +448,26 @@ pub(super) fn with_last_error(show: impl FnOnce(&[u8])) {
     with_message(|message| show(&message.text[..message.used]));
 }
 
-/// ==== Errors, warnings, the version of the library ====
+/// ==== Errors: why a call failed, and what it reports ====
 ///
-/// Returns why the calling thread's last call failed: one sentence in English, "" after
-/// a success; never NULL. One longer than 1023 bytes is shortened in the middle. It
-/// names parameters (path, options->title) and counts as this header does. It is valid
-/// until the same thread's next call of any function except this one, v_last_warning(),
-/// v_strerror() and v_version().
+/// Returns why the calling thread's last call failed: one sentence in English, at
+/// most 1023 bytes, "" after a success. It names parameters (path, options->title)
+/// and counts as this header does. Valid until the same thread's next call of any
+/// function except this one, v_last_warning(), v_strerror() and v_version().
 #[unsafe(no_mangle)]
 pub extern "C" fn v_last_error() -> *const c_char {
     with_message(|message| message.text.as_ptr().cast())
 }
 
 /// Returns the warnings of the calling thread's last call of a function whose comment
-/// mentions them: sentences in English, or ""; never NULL. If they would exceed 1023
-/// bytes, the one that does not fit is shortened in the middle. They are valid until
-/// the same thread's next call of such a function.
+/// mentions them: sentences in English, at most 1023 bytes, or "". Valid until the
+/// same thread's next call of such a function.
 #[unsafe(no_mangle)]
 pub extern "C" fn v_last_warning() -> *const c_char {
     with(&WARNING, |message| message.text.as_ptr().cast())
 }
 
-/// Returns the meaning of a status, in English; never NULL.
+/// Returns the meaning of a status, in English.
 #[unsafe(no_mangle)]
 pub extern "C" fn v_strerror(status: c_int) -> *const c_char {
     match status {
@@ -490,7 +491,7 @@ pub extern "C" fn v_strerror(status: c_int) -> *const c_char {
     .as_ptr()
 }
 
-/// Returns the version of the library in use, as "1.0.0"; never NULL.
+/// Returns the version of the library in use, as "1.0.0".
 #[unsafe(no_mangle)]
 pub extern "C" fn v_version() -> *const c_char {
     concat!(env!("CARGO_PKG_VERSION"), "\0").as_ptr().cast()

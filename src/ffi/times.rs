@@ -39,12 +39,9 @@ fn course(document: &Document) -> Answer<(usize, f64)> {
     Ok((frames, document.info().fps))
 }
 
-/// ==== Time and motion ====
-///
-/// Gets the frame that is shown at a time from 0 to (v_path_frame_count() - 1) / fps,
-/// which is 1 + seconds * fps. For the time of a whole frame from
-/// v_path_seconds_at_frame(), it is exactly that frame.
-/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// Gets the frame at a time from 0 to (v_path_frame_count() - 1) / fps: 1 + seconds *
+/// fps. For the time of a whole frame from v_path_seconds_at_frame(), it is exactly
+/// that frame.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_frame_at_seconds(
     path: *const V_PATH,
@@ -77,8 +74,7 @@ pub unsafe extern "C" fn v_path_frame_at_seconds(
     })
 }
 
-/// Gets the seconds at which a frame is shown: (frame - 1) / fps.
-/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// Gets the time of a frame: (frame - 1) / fps seconds.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_seconds_at_frame(
     path: *const V_PATH,
@@ -94,10 +90,8 @@ pub unsafe extern "C" fn v_path_seconds_at_frame(
     })
 }
 
-/// Gets the motion of the camera at a frame: lengths in the units of the positions,
-/// seconds by the property "fps". At a key it is the motion after the key; at the last
-/// frame, before it.
-/// V_ERR_SIZE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// Gets the motion of the camera at a frame. At a key it is the motion after the key;
+/// at the last frame, before it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_motion(
     path: *const V_PATH,

@@ -11,7 +11,7 @@ use std::mem::offset_of;
 use super::scene_types::V_MESH;
 use crate::path::Pose;
 
-/// ==== The types of the interface of 1994 ====
+/// ==== Types of 1994 ====
 ///
 /// A point or a vector in the cube from -1 to 1 in x, y and z, y up.
 #[repr(C)]
@@ -75,7 +75,7 @@ pub struct v_path {
     _private: (),
 }
 
-/// ==== The types of the new interface ====
+/// ==== Types: handles, values, options ====
 ///
 /// A handle for a camera path, not an address: using one that was freed or never made,
 /// or freeing it twice, is harmless and fails with V_ERR_HANDLE.
@@ -159,14 +159,12 @@ pub struct v_editor {
     _private: (),
 }
 
-/// ==== Editor windows ====
-///
 /// A handle for an editor window (see V_PATH). On any thread but the one that opened
 /// it, its functions fail with V_ERR_HANDLE. Free it even if the user has closed the
 /// window.
 pub type V_EDITOR = v_editor;
 
-/// ==== Reasons of callbacks ====
+/// ==== Constants ====
 ///
 /// Why on_view and on_frame are called.
 ///
@@ -194,49 +192,9 @@ pub const V_GONE_DESTROYED: c_int = 2;
 pub const V_GONE_DISPLAY: c_int = 3;
 pub const V_GONE_FAULT: c_int = 4;
 
-/// ==== Up axis ====
-///
 /// Which axis is up.
 pub const V_UP_Y: c_int = 1;
 pub const V_UP_Z: c_int = 2;
-
-/// The space of a path: a cube in your world, see v_path_set_space().
-#[repr(C)]
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct v_space {
-    pub size: usize,
-    /// its centre
-    pub centre: [f64; 3],
-    /// half the length of its edge, 1e-30 to 1e30
-    pub half_size: f64,
-    /// V_UP_Y or V_UP_Z
-    pub up: c_int,
-}
-
-pub type V_SPACE = v_space;
-
-/// Options of v_path_tour().
-#[repr(C)]
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct v_tour {
-    pub size: usize,
-    /// duration of the flight, > 0
-    pub seconds: f64,
-    /// fraction, by area, of the visible surface to show: > 0, at most 1
-    pub coverage: f64,
-    /// of the camera from what it shows; 0: chosen by VIDES
-    pub distance: f64,
-    /// not 0: in the free space inside the object, not around it
-    pub inside: c_int,
-    /// not 0: begins at start; 0: a closed tour
-    pub has_start: c_int,
-    /// where it begins
-    pub start: [f64; 3],
-    /// V_UP_Y or V_UP_Z
-    pub up: c_int,
-}
-
-pub type V_TOUR = v_tour;
 
 /// Options of an editor window. What they point to, except user, need only remain valid
 /// during v_editor_open(). A callback that is NULL is not called.

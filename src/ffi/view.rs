@@ -8,7 +8,7 @@ use super::border::border;
 use super::pointers::{self, Growing, GrowingOut, Out, read_growing};
 use super::status::V_ERR_INTERNAL;
 use super::types::{V_POSE, V_VIEW};
-use crate::math::view::{View, fov_from_zoom, gl_matrix, zoom_from_fov};
+use crate::math::view::{View, fov_from_zoom, zoom_from_fov};
 
 fn from_c(view: &V_VIEW) -> View {
     View {
@@ -45,14 +45,12 @@ unsafe impl Growing for V_VIEW {
     const FIRST: usize = size_of::<V_VIEW>();
 }
 
-/// ==== Toolbox: views ====
-///
 /// Gets the matrix from world coordinates to the canonical volume of a view: 16
 /// numbers, row by row, for column vectors. In a parallel projection, x and y are then
 /// from -1 to 1, z 0 in the front plane and -1 in the back plane; in a perspective
 /// projection, |x| and |y| at most z, and z 1 in the back plane.
-/// V_ERR_SIZE, V_ERR_ARGUMENT (up parallel to normal), V_ERR_RANGE (prp not in front of
-/// the front plane, back plane not behind it, empty window).
+/// V_ERR_ARGUMENT (up parallel to normal), V_ERR_RANGE (prp not in front of the front
+/// plane, back plane not behind it, empty window).
 /// cbindgen:ptrs-as-arrays=[[m; 16]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_view_matrix(view: *const V_VIEW, m: *mut f64) -> c_int {
@@ -69,7 +67,6 @@ pub unsafe extern "C" fn v_view_matrix(view: *const V_VIEW, m: *mut f64) -> c_in
 /// Gets the perspective view of a camera in a pose. aspect is the picture's width
 /// divided by its height; front and back are the planes' distances from the camera, 0 <
 /// front < back.
-/// V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_view_from_pose(
     pose: *const V_POSE,
@@ -93,35 +90,18 @@ pub unsafe extern "C" fn v_view_from_pose(
     })
 }
 
-/// Gets the matrix of a camera in a pose as gluLookAt() makes it, for glLoadMatrixd():
-/// 16 numbers, column by column, from the world to the eye, looking along -z.
-/// V_ERR_ARGUMENT, V_ERR_RANGE.
-/// cbindgen:ptrs-as-arrays=[[m; 16]]
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn v_pose_gl_matrix(pose: *const V_POSE, m: *mut f64) -> c_int {
-    border(V_ERR_INTERNAL, || {
-        let m = Out::array(m, "m")?;
-        // SAFETY: a pose, as the header demands.
-        let pose = unsafe { pointers::read(pose, "pose") }?;
-        let [vrp, vpn, vup] = [pose.vrp, pose.vpn, pose.vup].map(DVec3::from_array);
-        let matrix = gl_matrix(vrp, vpn, vup)?;
-        // SAFETY: room for 16 doubles, as the header says.
-        unsafe { m.answer(matrix.to_cols_array()) }
-    })
-}
-
 /// Returns the vertical field of view, in degrees, of a lens of zoom mm and a picture
-/// height mm high: 2 atan (height / (2 zoom)). For the zoom of a V_POSE, height is 24.
-/// Returns NaN, with the reason in v_last_error(), unless both are finite and > 0.
+/// height mm high: 2 atan (height / (2 zoom)). For the zoom of a V_POSE, height is
+/// 24. NaN, with the reason in v_last_error(), unless both are finite and > 0.
 #[unsafe(no_mangle)]
 pub extern "C" fn v_fov_from_zoom(zoom: f64, height: f64) -> f64 {
     border(f64::NAN, || Ok(fov_from_zoom(zoom, height)?))
 }
 
 /// Returns the focal length in mm that gives a picture height mm high the vertical
-/// field of view fov, in degrees: height / (2 tan (fov / 2)). With height 24 it is the
-/// zoom of a V_POSE. Returns NaN, with the reason in v_last_error(), unless height is
-/// finite and > 0 and fov between 0 and 180, both excluded.
+/// field of view fov, in degrees: the inverse of v_fov_from_zoom(). NaN, with the
+/// reason in v_last_error(), unless height is finite and > 0 and fov between 0 and
+/// 180, both excluded.
 #[unsafe(no_mangle)]
 pub extern "C" fn v_zoom_from_fov(fov: f64, height: f64) -> f64 {
     border(f64::NAN, || Ok(zoom_from_fov(fov, height)?))

@@ -84,4 +84,56 @@ static V_PATH *new_path(void)
     return path;
 }
 
+/* A new path of a tool with options as printf() writes them. */
+static V_PATH *made_by(const char *name, const char *options, ...)
+{
+    V_PATH *path = new_path();
+    char text[500];
+    va_list numbers;
+
+    va_start(numbers, options);
+    vsnprintf(text, sizeof text, options, numbers);
+    va_end(numbers);
+    OK(v_path_tool(path, name, text, NULL));
+    return path;
+}
+
+static int set_position(V_PATH *path, int at, const double xyz[3])
+{
+    return v_path_set_numbers(path, v_path_key(at, -1, "position"), xyz, 3);
+}
+
+static int get_position(const V_PATH *path, int at, double xyz[3])
+{
+    size_t count;
+    return v_path_get_numbers(path, v_path_key(at, -1, "position"), xyz, 3, &count);
+}
+
+/* The space of a path or scene, one property after the other. */
+#define HAS_SPACE(kind, TYPE) \
+    static int set_##kind##_space(TYPE *it, const double centre[3], double half, int up) \
+    { \
+        int status = v_##kind##_set_number(it, "space.half_size", half); \
+        if (status == V_OK) \
+            status = v_##kind##_set_numbers(it, "space.centre", centre, 3); \
+        if (status == V_OK) \
+            status = v_##kind##_set_text(it, "space.up", up == V_UP_Y ? "y" : up == V_UP_Z ? "z" : "x"); \
+        return status; \
+    } \
+    static int get_##kind##_space(const TYPE *it, double centre[3], double *half, int *up) \
+    { \
+        size_t count; \
+        char axis[2]; \
+        int status = v_##kind##_get_number(it, "space.half_size", half); \
+        if (status == V_OK) \
+            status = v_##kind##_get_numbers(it, "space.centre", centre, 3, &count); \
+        if (status == V_OK) \
+            status = v_##kind##_get_text(it, "space.up", axis, 2, &count); \
+        if (status == V_OK) \
+            *up = axis[0] == 'z' ? V_UP_Z : V_UP_Y; \
+        return status; \
+    }
+HAS_SPACE(path, V_PATH)
+HAS_SPACE(scene, V_SCENE)
+
 #endif

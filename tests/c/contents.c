@@ -41,6 +41,7 @@ static const double two[] = {1, 11.5};
 static V_SCENE *everything(void)
 {
     static const unsigned char rgb[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 255};
+    static const unsigned char colours[] = {9, 8, 7, 6, 5, 4, 3, 2, 1, 0, 255, 254};
     static const unsigned lines[] = {0, 1}, corners[] = {0, 1, 2, 0, 2, 3};
     static const double twist[] = {1, 90}, taper[] = {0, 1, 0.5}, box[] = {-1, 0, -1, 1, 2, 3};
     static const double weights[] = {0, 0.25, 0.5, 1, 2, 3}, way[] = {0, 0, 0, 4, 0, 0};
@@ -53,7 +54,7 @@ static V_SCENE *everything(void)
     V_NODE node;
     int car, sheet, lamp, late, eye;
     OK(v_scene_new(&scene));
-    OK(v_scene_set_space(scene, centre, 2, V_UP_Z));
+    OK(set_scene_space(scene, centre, 2, V_UP_Z));
     car = add(scene, "car", V_NODE_GROUP, -1);
     sheet = add(scene, "sheet", V_NODE_OBJECT, car);
     lamp = add(scene, "lamp", V_NODE_LIGHT, car);
@@ -81,9 +82,9 @@ static V_SCENE *everything(void)
     mesh.triangles = corners;
     mesh.corners = 6;
     OK(v_scene_set_geometry(scene, sheet, &mesh));
-    OK(v_scene_add_shape(scene, sheet, "high", high, 4));
-    OK(v_scene_add_shape(scene, sheet, "", xyz, 4));
-    OK(v_scene_add_shape(scene, sheet, "again", high, 4));
+    OK(v_scene_add_shape(scene, sheet, "high", high, NULL, 4));
+    OK(v_scene_add_shape(scene, sheet, "", xyz, NULL, 4));
+    OK(v_scene_add_shape(scene, sheet, "again", high, colours, 4));
     OK(v_scene_add_deformation(scene, sheet, "twist", twist, 2, box, NULL));
     OK(v_scene_add_deformation(scene, sheet, "taper", taper, 3, NULL, NULL));
     OK(v_scene_set_track(scene, sheet, "weights", "linear", two, weights, NULL, 2,
@@ -115,19 +116,20 @@ static void copy_object(const V_SCENE *from, V_SCENE *to, int at)
     const char *text = NULL;
     char name[300];
     double points[12], parameters[192], box[6];
+    unsigned char rgb[12];
     size_t count = 0;
-    int all = 0, k;
+    int all = 0, coloured = -1, k;
     mesh.size = sizeof mesh;
     OK(v_scene_get_geometry(from, at, &mesh));
     if (mesh.points > 0)
         OK(v_scene_set_geometry(to, at, &mesh));
-    OK(v_scene_shape_count(from, at, &all));
+    OK(v_scene_count(from, at, "shapes", &all));
     for (k = 0; k < all; k++) {
-        OK(v_scene_get_shape(from, at, k, &text, points, 4, &count));
+        OK(v_scene_get_shape(from, at, k, &text, points, rgb, 4, &count, &coloured));
         strcpy(name, text);
-        OK(v_scene_add_shape(to, at, name, points, count));
+        OK(v_scene_add_shape(to, at, name, points, coloured ? rgb : NULL, count));
     }
-    OK(v_scene_deformation_count(from, at, &all));
+    OK(v_scene_count(from, at, "deformations", &all));
     for (k = 0; k < all; k++) {
         OK(v_scene_get_deformation(from, at, k, &text, parameters, 192, &count, box));
         strcpy(name, text);
@@ -144,12 +146,11 @@ static void copy_motion(const V_SCENE *from, V_SCENE *to, int at)
     size_t keys = 0;
     V_PATH *path = NULL;
     int all = 0, after = 0, k;
-    if (v_scene_get_path(from, at, &path) == V_OK) {
-        OK(v_scene_get_start(from, at, &start, &after));
+    if (v_scene_get_path(from, at, &path, &start, &after) == V_OK) {
         OK(v_scene_set_path(to, at, path, start, after));
         v_path_free(path);
     }
-    OK(v_scene_track_count(from, at, &all));
+    OK(v_scene_count(from, at, "tracks", &all));
     for (k = 0; k < all; k++) {
         OK(v_scene_get_channel(from, at, k, &text));
         strcpy(channel, text);
@@ -168,15 +169,15 @@ static void copy_rest(const V_SCENE *from, V_SCENE *to)
     double centre[3], half_size = 0, frame = 0, limit = 0, first = 0, last = 0, fps = 0, number = 0;
     int up = 0, all = 0, node = -1, point = -1, k;
     size_t length = 0;
-    OK(v_scene_get_space(from, centre, &half_size, &up));
-    OK(v_scene_set_space(to, centre, half_size, up));
-    OK(v_scene_marker_count(from, &all));
+    OK(get_scene_space(from, centre, &half_size, &up));
+    OK(set_scene_space(to, centre, half_size, up));
+    OK(v_scene_count(from, 0, "markers", &all));
     for (k = 0; k < all; k++) {
         OK(v_scene_get_marker(from, k, &name, &frame));
         strcpy(title, name);
         OK(v_scene_set_marker(to, title, frame));
     }
-    OK(v_scene_pin_count(from, &all));
+    OK(v_scene_count(from, 0, "pins", &all));
     for (k = 0; k < all; k++) {
         OK(v_scene_get_pin(from, k, &node, &point, &name));
         strcpy(title, name);
@@ -208,7 +209,7 @@ static V_SCENE *copied(const V_SCENE *from)
     int nodes = 0, at;
     OK(v_scene_new(&to));
     OK(v_scene_remove_node(to, 0));
-    OK(v_scene_node_count(from, &nodes));
+    OK(v_scene_count(from, 0, "nodes", &nodes));
     for (at = 0; at < nodes; at++) {
         V_NODE node = get(from, at);
         node.parent = node.aim = -1;
@@ -252,17 +253,17 @@ static void places_that_are_none(void)
         STATUS(V_ERR_RANGE, v_scene_get_channel(scene, 2, kind, &text));
         STATUS(V_ERR_RANGE, v_scene_get_marker(scene, kind, &text, &frame));
         STATUS(V_ERR_RANGE, v_scene_get_pin(scene, kind, &number, &number, &text));
-        STATUS(V_ERR_RANGE, v_scene_get_shape(scene, 2, kind, &text, NULL, 0, &count));
+        STATUS(V_ERR_RANGE, v_scene_get_shape(scene, 2, kind, &text, NULL, NULL, 0, &count, NULL));
         STATUS(V_ERR_RANGE, v_scene_get_deformation(scene, 2, kind, NULL, NULL, 0, NULL, NULL));
         STATUS(V_ERR_RANGE, v_scene_remove_shape(scene, 2, kind));
     }
     STATUS(V_ERR_RANGE, v_scene_get_marker(scene, 2, &text, &frame));
     CHECK(strcmp(v_last_error(), "there is no marker 2 among 2, counted from 0") == 0);
-    STATUS(V_ERR_RANGE, v_scene_track_count(scene, 6, &number));
-    STATUS(V_ERR_ARGUMENT, v_scene_get_start(scene, 1, &frame, &number));
-    STATUS(V_ERR_ARGUMENT, v_scene_shape_count(scene, 0, &number));
+    STATUS(V_ERR_RANGE, v_scene_count(scene, 6, "tracks", &number));
+    STATUS(V_ERR_ARGUMENT, v_scene_get_path(scene, 1, NULL, &frame, &number));
+    STATUS(V_ERR_ARGUMENT, v_scene_count(scene, 0, "shapes", &number));
     CHECK(strcmp(v_last_error(), "\"camera\" is no object") == 0);
-    STATUS(V_ERR_ARGUMENT, v_scene_deformation_count(scene, 0, &number));
+    STATUS(V_ERR_ARGUMENT, v_scene_count(scene, 0, "deformations", &number));
     mesh.size = sizeof mesh;
     STATUS(V_ERR_ARGUMENT, v_scene_get_geometry(scene, 0, &mesh));
     mesh.size = 3;
@@ -270,16 +271,18 @@ static void places_that_are_none(void)
     STATUS(V_ERR_NULL, v_scene_get_geometry(scene, 2, NULL));
     /* Too little room: only how much is needed. */
     numbers[0] = 77;
-    STATUS(V_ERR_SIZE, v_scene_get_shape(scene, 2, 0, &text, numbers, 2, &count));
+    STATUS(V_ERR_SIZE, v_scene_get_shape(scene, 2, 0, &text, numbers, NULL, 2, &count, NULL));
     CHECK(count == 4 && numbers[0] == 77);
     STATUS(V_ERR_SIZE, v_scene_get_deformation(scene, 2, 1, &text, numbers, 2, &count, NULL));
     CHECK(count == 3 && numbers[0] == 77);
     /* Nothing is wanted, and all that is not there. */
     OK(v_scene_get_marker(scene, 0, NULL, NULL));
     OK(v_scene_get_pin(scene, 0, NULL, NULL, NULL));
-    OK(v_scene_get_shape(scene, 2, 0, NULL, NULL, 0, NULL));
+    OK(v_scene_get_shape(scene, 2, 0, NULL, NULL, NULL, 0, NULL, NULL));
     OK(v_scene_get_deformation(scene, 2, 0, NULL, NULL, 0, NULL, NULL));
-    OK(v_scene_get_start(scene, 0, NULL, NULL));
+    OK(v_scene_get_path(scene, 0, NULL, NULL, NULL));
+    STATUS(V_ERR_ARGUMENT, v_scene_count(scene, 0, "wheels", &number));
+    CHECK(strstr(v_last_error(), "no \"wheels\"; known: nodes, markers") != NULL);
     v_scene_free(scene);
 }
 
@@ -333,13 +336,13 @@ static void the_path_that_is_shown(void)
     /* The one that is chosen moves by keys. */
     STATUS(V_ERR_ARGUMENT, v_path_load_from_memory(text, strlen(text), &loaded));
     free(text);
-    OK(v_path_set_position(path, 0, place));
+    OK(set_position(path, 0, place));
     other = add(scene, "other", V_NODE_CAMERA, -1);
     OK(v_scene_set_path(scene, other, path, 5, V_AFTER_HOLD));
     OK(v_scene_set_camera(scene, other));
     text = text_of(scene);
     OK(v_path_load_from_memory(text, strlen(text), &loaded));
-    OK(v_path_get_position(loaded, 0, found));
+    OK(get_position(loaded, 0, found));
     CHECK(memcmp(place, found, sizeof place) == 0);
     free(text);
     v_path_free(loaded);
@@ -399,22 +402,22 @@ static void what_goes(void)
     size_t keys = 0;
     int count = -1;
     OK(v_scene_remove_shape(scene, 2, 1));
-    OK(v_scene_shape_count(scene, 2, &count));
+    OK(v_scene_count(scene, 2, "shapes", &count));
     CHECK(count == 2);
-    OK(v_scene_get_shape(scene, 2, 1, &text, NULL, 0, &keys));
+    OK(v_scene_get_shape(scene, 2, 1, &text, NULL, NULL, 0, &keys, NULL));
     CHECK(strcmp(text, "again") == 0 && keys == 4);
     OK(v_scene_get_track(scene, 2, "weights", &text, 2, frames, values, NULL, &keys, NULL));
     CHECK(keys == 2 && values[0] == 0 && values[1] == 0.5 && values[2] == 1 && values[3] == 3);
     OK(v_scene_remove_shape(scene, 2, 0));
     OK(v_scene_remove_shape(scene, 2, 0));
-    OK(v_scene_track_count(scene, 2, &count));
+    OK(v_scene_count(scene, 2, "tracks", &count));
     CHECK(count == 3);
     OK(v_scene_remove_marker(scene, "meet"));
     STATUS(V_ERR_ARGUMENT, v_scene_remove_marker(scene, "meet"));
     CHECK(strcmp(v_last_error(), "there is no marker \"meet\"") == 0);
-    OK(v_scene_marker_count(scene, &count));
+    OK(v_scene_count(scene, 0, "markers", &count));
     CHECK(count == 1);
-    OK(v_scene_pin_count(scene, &count));
+    OK(v_scene_count(scene, 0, "pins", &count));
     CHECK(count == 1);
     STATUS(V_ERR_RANGE, v_scene_set_number(scene, "fps", 0));
     STATUS(V_ERR_RANGE, v_scene_set_number(scene, "fps", NAN));

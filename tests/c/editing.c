@@ -16,7 +16,7 @@ static int points_of(const V_PATH *path)
 static void position_is(const V_PATH *path, int at, double x, double y, double z)
 {
     double is[3];
-    OK(v_path_get_position(path, at, is));
+    OK(get_position(path, at, is));
     CHECK(is[0] == x && is[1] == y && is[2] == z);
 }
 
@@ -82,17 +82,17 @@ static void inserting_and_removing(void)
         double bad[3] = {0, 0, 0};
         bad[i] = a_nan;
         STATUS(V_ERR_ARGUMENT, v_path_insert_point(path, 0, bad));
-        STATUS(V_ERR_ARGUMENT, v_path_set_position(path, 0, bad));
+        STATUS(V_ERR_ARGUMENT, set_position(path, 0, bad));
         bad[i] = -infinity;
-        STATUS(V_ERR_ARGUMENT, v_path_set_position(path, 0, bad));
+        STATUS(V_ERR_ARGUMENT, set_position(path, 0, bad));
         bad[i] = 1.1e9;
-        STATUS(V_ERR_RANGE, v_path_set_position(path, 0, bad));
+        STATUS(V_ERR_RANGE, set_position(path, 0, bad));
         bad[i] = -1e9;
-        OK(v_path_set_position(path, 4, bad));
+        OK(set_position(path, 4, bad));
     }
-    STATUS(V_ERR_RANGE, v_path_set_position(path, 5, xyz));
-    STATUS(V_ERR_RANGE, v_path_get_position(path, 5, xyz));
-    STATUS(V_ERR_RANGE, v_path_get_position(path, -2147483647 - 1, xyz));
+    STATUS(V_ERR_RANGE, set_position(path, 5, xyz));
+    STATUS(V_ERR_RANGE, get_position(path, 5, xyz));
+    STATUS(V_ERR_RANGE, get_position(path, -2147483647 - 1, xyz));
     position_is(path, 0, -0.9, 0.5, 0);
     CHECK(points_of(path) == 5);
 
@@ -111,7 +111,7 @@ static void dividing(void)
     OK(v_path_divide_segment(path, 0, 5));
     CHECK(points_of(path) == 7);
     for (i = 0; i < 7; i++) { /* a straight line: equal distances */
-        OK(v_path_get_position(path, i, is));
+        OK(get_position(path, i, is));
         NEAR(is[0], -0.6 + 0.2 * i, 1e-12);
         NEAR(is[1], 0.2, 1e-12);
     }
@@ -213,7 +213,7 @@ static void a_copy_is_independent(void)
     double xyz[3] = {0, 0, 0};
     OK(v_path_set_flag(path, "closed", 1));
     OK(v_path_clone(path, &copy));
-    OK(v_path_set_position(path, 0, xyz));
+    OK(set_position(path, 0, xyz));
     OK(v_path_insert_point(path, 2, xyz));
     CHECK(points_of(copy) == 2);
     position_is(copy, 0, -0.6, 0.2, 0.8);

@@ -155,7 +155,7 @@ static void numbers_count_from_0(void)
     memset(poses, 0, sizeof poses);
     poses[0].zoom = poses[1].zoom = poses[2].zoom = 24;
     poses[0].vpn[2] = poses[0].vup[1] = 1;
-    CHECK(v_path_fit_poses(poses, NULL, 3, 25, 0.1, 1, &path) != V_OK
+    CHECK(v_path_fit_poses(poses, NULL, 3, "tolerance=0.1", &path) != V_OK
           && BEGINS("pose 1 (counted from 0): "));
     /* A coordinate of the second point of two. */
     o.absolute = 1;
@@ -164,8 +164,8 @@ static void numbers_count_from_0(void)
          v_path_set_orientation(path, 1, 0, &o));
     o.target[0] = 1.6;
     OK(v_path_set_orientation(path, 1, 0, &o));
-    SAYS(V_ERR_ARGUMENT, "point 1 (counted from 0) must not lie on the target of its orientation 0",
-         v_path_set_position(path, 1, o.target));
+    SAYS(V_ERR_ARGUMENT, "point 2 must not lie on the target of its orientation 1",
+         set_position(path, 1, o.target));
     OK(v_scene_new(&scene));
     SAYS(V_ERR_RANGE, "there is no node 3 among 1, counted from 0", v_scene_remove_node(scene, 3));
     SAYS(V_ERR_ARGUMENT,
@@ -199,17 +199,17 @@ static void what_there_is_is_told(void)
          v_path_set_text(path, "curve", "bezier"));
     SAYS(V_ERR_ARGUMENT, "there is no up \"w\"; known: axis, point, path, minimal, frenet, y, z",
          v_path_set_up(path, 0, 0, "w", NULL, NULL));
-    SAYS(V_ERR_RANGE, "up is 9; known: V_UP_Y (1), V_UP_Z (2)",
-         v_path_set_space(path, values, 1, 9));
+    SAYS(V_ERR_RANGE, "up is 9; known: V_UP_Y (1), V_UP_Z (2)", v_path_change_up(path, 9));
+    SAYS(V_ERR_ARGUMENT, "space.up: must be \"y\" or \"z\"", v_path_set_text(path, "space.up", "x"));
     SAYS(V_ERR_RANGE, "the deformation \"bend\" does not take 5 numbers; it takes 2, 6",
-         v_path_deform(path, 0, 1, "bend", values, 5, NULL, 0));
+         v_deform("bend", values, 5, (const double[]){-1, -1, -1, 1, 1, 1}, o.target, 1));
     CHECK(v_path_set_number(path, "check.turns", 1) == V_ERR_RANGE
           && BEGINS("there is no property \"check.turns\"; known here: space, cusp, "));
     SAYS(V_ERR_ARGUMENT,
          "check.turning: the limit of turning must be a number, or infinite where nothing is to be looked for",
          v_path_set_number(path, "check.turning", NAN));
-    SAYS(V_ERR_RANGE, "half_size must lie between 1e-30 and 1e30",
-         v_path_set_space(path, values, -1, V_UP_Y));
+    SAYS(V_ERR_RANGE, "space.half_size: the half size of the space must lie between 1e-30 and 1e30",
+         v_path_set_number(path, "space.half_size", -1));
     SAYS(V_ERR_RANGE, "times must lie between 1 and 100000", v_path_tool(path, "repeat", "times=0", NULL));
     SAYS(V_ERR_RANGE, "fps: the frames per second must be greater than 0 and at most 100000",
          v_path_set_number(path, "fps", 0));

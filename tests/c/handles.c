@@ -76,8 +76,8 @@ static void every_function(V_PATH *bad, int status)
     REFUSED(status, v_path_insert_point(bad, 0, xyz));
     REFUSED(status, v_path_divide_segment(bad, 0, 1));
     REFUSED(status, v_path_remove_point(bad, 0));
-    REFUSED(status, v_path_set_position(bad, 0, xyz));
-    REFUSED(status, v_path_get_position(bad, 0, out[0].numbers));
+    REFUSED(status, set_position(bad, 0, xyz));
+    REFUSED(status, get_position(bad, 0, out[0].numbers));
     REFUSED(status, v_path_orientation_count(bad, 0, &out[0].number));
     REFUSED(status, v_path_insert_orientation(bad, 0, 0, &o));
     REFUSED(status, v_path_insert_orientation(bad, 0, 0, NULL));
@@ -124,8 +124,8 @@ static void every_null(V_PATH *path)
     REFUSED(V_ERR_NULL, v_path_save(path, NULL));
     REFUSED(V_ERR_NULL, v_path_point_count(path, NULL));
     REFUSED(V_ERR_NULL, v_path_insert_point(path, 0, NULL));
-    REFUSED(V_ERR_NULL, v_path_set_position(path, 0, NULL));
-    REFUSED(V_ERR_NULL, v_path_get_position(path, 0, NULL));
+    REFUSED(V_ERR_NULL, set_position(path, 0, NULL));
+    REFUSED(V_ERR_NULL, get_position(path, 0, NULL));
     REFUSED(V_ERR_NULL, v_path_orientation_count(path, 0, NULL));
     REFUSED(V_ERR_NULL, v_path_set_orientation(path, 0, 0, NULL));
     REFUSED(V_ERR_NULL, v_path_get_orientation(path, 0, 0, NULL));
@@ -173,9 +173,9 @@ static void coming_and_going(void)
         CHECK(paths[i] != old);
         CHECK(((size_t)paths[i] & 1) == 1);
         at[0] = round * 1e-4;
-        OK(v_path_set_position(paths[i], 1, at));
-        STATUS(V_ERR_HANDLE, v_path_get_position(old, 1, is));
-        OK(v_path_get_position(paths[i], 1, is));
+        OK(set_position(paths[i], 1, at));
+        STATUS(V_ERR_HANDLE, get_position(old, 1, is));
+        OK(get_position(paths[i], 1, is));
         CHECK(is[0] == at[0]);
     }
     for (i = 0; i < 50; i++)

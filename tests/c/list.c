@@ -220,8 +220,8 @@ static void one_pose(void)
     V_PATH *path = new_path();
     V_KAMERAPAR *head = new_head();
     double xyz[3];
-    OK(v_path_get_position(path, 0, xyz));
-    OK(v_path_set_position(path, 1, xyz));
+    OK(get_position(path, 0, xyz));
+    OK(set_position(path, 1, xyz));
     OK(v_path_to_list(path, head));
     CHECK(head->number == 1 && head->prev == head && head->next == head);
     is_list_of(head, path);

@@ -208,12 +208,13 @@ static void each_call(const V_PATH *original, int forever)
 static void what_is_wrong_is_told(V_PATH *path)
 {
     double xyz[3] = { 0, 0, 0 };
+    int count;
     V_ORIENTATION o;
     v_orientation_init(&o);
     asked = 0;
     fail_forever = 1;
     fail_at = 0;
-    STATUS(V_ERR_RANGE, v_path_get_position(path, 99, xyz));
+    STATUS(V_ERR_RANGE, v_path_orientation_count(path, 99, &count));
     STATUS(V_ERR_RANGE, v_path_insert_point(path, 99, xyz));
     STATUS(V_ERR_RANGE, v_path_set_orientation(path, 1, 5, &o));
     STATUS(V_ERR_RANGE, v_path_get_orientation(path, 1, 5, &o));

@@ -118,7 +118,7 @@ static void wrong_values(void)
 {
     V_PATH *path = new_path();
     double position[3];
-    OK(v_path_get_position(path, 0, position));
+    OK(get_position(path, 0, position));
     WRONG(V_ERR_SIZE, o.size = 0);
     WRONG(V_ERR_SIZE, o.size = sizeof o - 1);
     WRONG(V_ERR_SIZE, o.size = sizeof o + 8);
@@ -185,9 +185,9 @@ static void absolute_and_relative(void)
     NEAR(o.target[0], -0.6, 1e-15);
     NEAR(o.target[1], 0.2, 1e-15);
     NEAR(o.target[2], 0.4, 1e-15);
-    OK(v_path_set_position(path, 0, xyz));
+    OK(set_position(path, 0, xyz));
     CHECK(memcmp(get(path, 0, 0).target, o.target, sizeof o.target) == 0);
-    STATUS(V_ERR_ARGUMENT, v_path_set_position(path, 0, o.target));
+    STATUS(V_ERR_ARGUMENT, set_position(path, 0, o.target));
     OK(v_path_set_absolute(path, 0, 0, 0));
     o = get(path, 0, 0);
     CHECK(o.absolute == 0);

@@ -188,7 +188,7 @@ static void the_curve(void)
         at[0] = sin(i);
         at[1] = cos(3 * i);
         at[2] = sin(0.3 * i);
-        OK(v_path_set_position(path, 1, at));
+        OK(set_position(path, 1, at));
         OK(v_path_set_numbers(path, "presets.0", NUMBERS(sin(5 * i), cos(7 * i), sin(11 * i))));
         OK(v_path_segment_length(path, 0, &length));
         OK(v_path_point_at_length(path, 0, length, end));

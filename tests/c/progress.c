@@ -59,9 +59,9 @@ static int progress(double share, void *user)
     if (seen.path != NULL) {
         int count;
         double xyz[3] = {0, 0, 0};
-        STATUS(V_ERR_BUSY, v_path_set_position(seen.path, 0, xyz));
+        STATUS(V_ERR_BUSY, set_position(seen.path, 0, xyz));
         OK(v_path_point_count(seen.other, &count));
-        STATUS(V_ERR_RANGE, v_path_set_position(seen.other, 99, xyz));
+        STATUS(V_ERR_RANGE, set_position(seen.other, 99, xyz));
     }
     return time < seen.end;
 }
@@ -78,10 +78,7 @@ static void begin(V_PATH *path, V_PATH *other, double seconds)
 /* A path of many points round and through the object. */
 static V_PATH *flight(int turns)
 {
-    V_PATH *path = NULL;
-    const double numbers[] = {0, 0, 0, 1.5, 0.2, 0, (double)turns, 24, 4.0 * turns};
-    OK(v_path_from_move("orbit", numbers, 9, &path));
-    return path;
+    return made_by("orbit", "radius=1.5\nheight=0.2\nturns=%d\nseconds=%d", turns, 4 * turns);
 }
 
 static char *text_of(V_PATH *path)
@@ -100,8 +97,6 @@ static void each_call_ends(void)
 {
     V_PATH *path = flight(40), *other = new_path(), *made = NULL;
     V_POSE *poses;
-    V_TOUR tour;
-    double coverage = 7;
     size_t count = 0, found = 0;
     char *before = text_of(path), *after;
     int which, ended = 0;
@@ -111,15 +106,12 @@ static void each_call_ends(void)
     if (poses == NULL)
         exit(2);
     OK(v_path_sample(path, poses, count, &count));
-    v_tour_init(&tour);
     OK(v_set_progress(progress, &seen));
     for (which = 0; which < 10; which++) {
-        int inside = which == 9, status = V_OK;
+        int status = V_OK;
         double start;
-        int alone = which >= 7;
-        begin(alone ? NULL : path, other, 0);
+        begin(which == 7 ? NULL : path, other, 0);
         start = now();
-        tour.inside = inside;
         switch (which) {
         case 0: status = tool(path, "retime", NULL, "seconds=0\nfirst=1\nlast=481"); break;
         case 1: status = tool(path, "steady", NULL, "period=1\nwithin=0"); break;
@@ -129,8 +121,8 @@ static void each_call_ends(void)
         case 5: status = tool(path, "picture", &object, "margin=0.1\nwhat=view"); break;
         case 6: seen.path = NULL; /* it is only read */
                 status = v_path_check(path, &object, NULL, 0, &found); break;
-        case 7: status = v_path_fit_poses(poses, NULL, count, 25, 1e-4, 0.1, &made); break;
-        default: status = v_path_tour(&object, &tour, &made, &coverage);
+        case 7: status = v_path_fit_poses(poses, NULL, count, "tolerance=1e-4\nangle=0.1", &made); break;
+        default: status = tool(path, "tour", &object, which == 8 ? "" : "inside=yes");
         }
         after = text_of(path);
         if (status == V_OK && seen.calls == 0) { /* it took less than a tenth of a second */
@@ -151,7 +143,7 @@ static void each_call_ends(void)
         }
     }
     /* On a fast machine few calls take long enough to be asked; tours always do. */
-    CHECK(made == NULL && coverage == 7 && ended >= 2);
+    CHECK(made == NULL && ended >= 2);
     free(before);
     free(poses);
     OK(v_set_progress(NULL, NULL));
@@ -163,27 +155,21 @@ static void each_call_ends(void)
 static void it_is_asked_often(void)
 {
     V_PATH *path = flight(2), *other = new_path();
-    V_TOUR tour;
-    V_PATH *made = NULL;
     int round;
 
     OK(v_set_progress(progress, &seen));
     for (round = 0; round < 3; round++) {
-        begin(round == 0 ? path : NULL, other, 1);
-        v_tour_init(&tour);
-        tour.inside = round == 2;
+        begin(path, other, 1);
         if (round == 0)
             tool(path, "avoid", &object, "clearance=0.9\nradius=0");
         else
-            v_path_tour(&object, &tour, &made, NULL);
+            tool(path, "tour", &object, round == 1 ? "" : "inside=yes");
         if (!seen.in_range || seen.longest > 0.5) {
             fprintf(stderr, "round %d: %d calls, %.2f s between two\n", round, seen.calls, seen.longest);
             failures++;
         }
         printf("note: round %d: %d calls, %.2f s between two at the longest\n", round, seen.calls,
                seen.longest);
-        v_path_free(made);
-        made = NULL;
     }
     /* What was set for another thread, or not at all, is not asked. */
     OK(v_set_progress(NULL, &seen));

@@ -60,7 +60,7 @@ static void ups(void)
         CHECK(strcmp(up, "path") == 0 && made != NULL);
         OK(v_path_point_count(made, &points));
         CHECK(points == 3 + (int)i);
-        OK(v_path_get_position(made, 1, place));
+        OK(get_position(made, 1, place));
         CHECK(memcmp(place, corner, sizeof place) == 0);
         v_path_free(twin);
         OK(v_path_clone(path, &twin));
@@ -202,12 +202,12 @@ static void names_and_numbers(void)
     OK(v_path_move_point(path, 1, 0));
     OK(v_path_get_text(path, v_path_key(0, -1, "name"), name, sizeof name, &length));
     CHECK(strcmp(name, "gate \xc3\xbc") == 0);
-    OK(v_path_get_position(path, 0, place));
+    OK(get_position(path, 0, place));
     CHECK(memcmp(place, middle, sizeof place) == 0);
-    OK(v_path_get_position(path, 1, place));
+    OK(get_position(path, 1, place));
     CHECK(place[0] == -0.6);
     OK(v_path_move_point(path, 0, 2));
-    OK(v_path_get_position(path, 2, place));
+    OK(get_position(path, 2, place));
     CHECK(memcmp(place, middle, sizeof place) == 0);
     OK(v_path_move_point(path, 2, 2));
     STATUS(V_ERR_RANGE, v_path_move_point(path, 0, 3));

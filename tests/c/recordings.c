@@ -3,11 +3,7 @@
 
 static V_PATH *orbit(double seconds)
 {
-    V_PATH *path = NULL;
-    const double numbers[] = {0, 0.5, 0, 1.2, 0.4, 0, 1, 24, seconds};
-
-    OK(v_path_from_move("orbit", numbers, 9, &path));
-    return path;
+    return made_by("orbit", "around=0,0.5,0\nradius=1.2\nseconds=%g", seconds);
 }
 
 static void recorded_poses_are_fitted(void)
@@ -19,7 +15,7 @@ static void recorded_poses_are_fitted(void)
 
     OK(v_path_sample(path, poses, 500, &count));
     CHECK(count == 500);
-    OK(v_path_fit_poses(poses, NULL, count, 25, 0.01, 0.5, &fitted));
+    OK(v_path_fit_poses(poses, NULL, count, "tolerance=0.01", &fitted));
     OK(v_path_point_count(fitted, &points));
     CHECK(points <= 13);
     OK(v_path_sample(fitted, again, 500, &count));
@@ -27,10 +23,10 @@ static void recorded_poses_are_fitted(void)
     for (i = 0; i < count; i++)
         NEAR(again[i].vrp[0], poses[i].vrp[0], 0.0101);
     v_path_free(fitted);
-    STATUS(V_ERR_ARGUMENT, v_path_fit_poses(poses, NULL, 1, 25, 0.01, 0.5, &fitted));
-    STATUS(V_ERR_RANGE, v_path_fit_poses(poses, NULL, 500, 25, 0, 0.5, &fitted));
+    STATUS(V_ERR_ARGUMENT, v_path_fit_poses(poses, NULL, 1, "tolerance=0.01", &fitted));
+    STATUS(V_ERR_RANGE, v_path_fit_poses(poses, NULL, 500, "tolerance=0", &fitted));
     poses[7].zoom = NAN;
-    STATUS(V_ERR_RANGE, v_path_fit_poses(poses, NULL, 500, 25, 0.01, 0.5, &fitted));
+    STATUS(V_ERR_RANGE, v_path_fit_poses(poses, NULL, 500, "tolerance=0.01", &fitted));
     v_path_free(path);
 }
 
@@ -45,7 +41,7 @@ static void a_fit_reports(void)
     CHECK(count == 100);
     for (i = 40; i < count; i++)
         poses[i].vrp[1] += 3;
-    OK(v_path_fit_poses(poses, NULL, count, 25, 0.01, 0.5, &fitted));
+    OK(v_path_fit_poses(poses, NULL, count, "tolerance=0.01", &fitted));
     CHECK(strstr(v_last_warning(), " points for 100 poses at 25 frames per second") != NULL);
     CHECK(strstr(v_last_warning(), "Found: 1 cut.") != NULL);
     OK(v_path_sample(fitted, again, 100, &count));
@@ -69,18 +65,18 @@ static void no_recording_is_refused(void)
     CHECK(count == 100);
     for (i = 0; i < 60; i++)
         rests[i] = poses[0];
-    OK(v_path_fit_poses(rests, NULL, 60, 25, 0.01, 0.5, &fitted));
+    OK(v_path_fit_poses(rests, NULL, 60, "tolerance=0.01", &fitted));
     OK(v_path_point_count(fitted, &points));
     OK(v_path_frame_count(fitted, &frames));
     CHECK(points == 2 && frames == 60);
     v_path_free(fitted);
     for (i = 0; i < count; i++)
         seconds[i] = (i / 2) / 12.5;
-    OK(v_path_fit_poses(poses, seconds, count, 25, 0.01, 0.5, &fitted));
+    OK(v_path_fit_poses(poses, seconds, count, "tolerance=0.01", &fitted));
     v_path_free(fitted);
     for (i = 0; i < count; i++)
         seconds[i] = 1403636580838555648.0 + i * 40e6;
-    OK(v_path_fit_poses(poses, seconds, count, 25, 0.01, 0.5, &fitted));
+    OK(v_path_fit_poses(poses, seconds, count, "tolerance=0.01", &fitted));
     OK(v_path_frame_count(fitted, &frames));
     CHECK(frames == 100);
     v_path_free(fitted);
@@ -105,14 +101,14 @@ static void times_that_span_too_many_frames_are_refused(void)
         if (k == 2)
             for (i = 0; i + 1 < count; i++)
                 seconds[i] = (double)i;
-        STATUS(V_ERR_LIMIT, v_path_fit_poses(poses, seconds, count, 25, 0.01, 0.5, &fitted));
+        STATUS(V_ERR_LIMIT, v_path_fit_poses(poses, seconds, count, "tolerance=0.01", &fitted));
         CHECK(fitted == NULL && strstr(v_last_error(), "times are seconds") != NULL);
         STATUS(V_ERR_LIMIT,
-               v_path_fit_poses_robust(poses, seconds, count, 25, 0.01, 0.5, NULL, NULL, &fitted));
+               v_path_fit_poses(poses, seconds, count, "tolerance=0.01\nrobust=yes", &fitted));
     }
     for (i = 0; i < count; i++)
         seconds[i] = i + 1 < count ? (double)i : 1e9;
-    STATUS(V_ERR_LIMIT, v_path_fit_poses(poses, seconds, count, 1, 0.01, 0.5, &fitted));
+    STATUS(V_ERR_LIMIT, v_path_fit_poses(poses, seconds, count, "fps=1\ntolerance=0.01", &fitted));
     v_path_free(path);
 }
 

@@ -53,7 +53,7 @@ static int removals(V_SCENE *scene, enum from from, int few)
 
     node.size = sizeof node;
     for (;; calls++) {
-        if (v_scene_node_count(scene, &count) != V_OK || count <= few)
+        if (v_scene_count(scene, 0, "nodes", &count) != V_OK || count <= few)
             return calls;
         random = random * 1664525u + 1013904223u;
         /* Neither the lamp, nor what it aims at. */
@@ -66,7 +66,7 @@ static int removals(V_SCENE *scene, enum from from, int few)
         }
         if (calls % 16 != 0)
             continue;
-        OK(v_scene_node_count(scene, &count));
+        OK(v_scene_count(scene, 0, "nodes", &count));
         OK(v_scene_find_node(scene, "lamp", &lamp));
         CHECK(lamp == count - 1);
         OK(v_scene_get_name(scene, count - 1, &name));
@@ -88,7 +88,7 @@ static void what_is_left_is_whole(V_SCENE *scene)
     size_t all;
 
     OK(v_scene_evaluate(scene, 1, states, 100, &all));
-    OK(v_scene_node_count(scene, &count));
+    OK(v_scene_count(scene, 0, "nodes", &count));
     CHECK((int)all == count);
     for (i = 0; i < count; i++) {
         char kept[20];

@@ -22,7 +22,7 @@ static V_SCENE *new_scene(void)
 static int nodes_of(const V_SCENE *scene)
 {
     int count = -1;
-    OK(v_scene_node_count(scene, &count));
+    OK(v_scene_count(scene, 0, "nodes", &count));
     return count;
 }
 
@@ -89,7 +89,7 @@ static void a_new_scene_is_a_camera_on_a_path(void)
         NEAR(is.pose.zoom, pose.zoom, 1e-12);
         CHECK(is.visible == 1);
     }
-    OK(v_scene_get_path(scene, 0, &back));
+    OK(v_scene_get_path(scene, 0, &back, NULL, NULL));
     OK(v_path_pose(back, 2.5, &pose));
     /* Later, and over again. */
     OK(v_scene_set_path(scene, 0, path, 101, V_AFTER_REPEAT));
@@ -100,7 +100,7 @@ static void a_new_scene_is_a_camera_on_a_path(void)
     STATUS(V_ERR_ARGUMENT, v_scene_set_path(scene, 0, path, 1, V_AFTER_OFFSET));
     STATUS(V_ERR_RANGE, v_scene_set_path(scene, 0, path, 1, 4));
     OK(v_scene_set_path(scene, 0, NULL, 1, V_AFTER_HOLD));
-    STATUS(V_ERR_ARGUMENT, v_scene_get_path(scene, 0, &back));
+    STATUS(V_ERR_ARGUMENT, v_scene_get_path(scene, 0, &back, NULL, NULL));
     v_path_free(back);
     v_path_free(path);
     v_scene_free(scene);
@@ -181,6 +181,45 @@ static void a_car(void)
     v_scene_free(scene);
 }
 
+/* Lecture 9.3.2: what points have is blended as their positions are. */
+static void colours_morph(void)
+{
+    static const double xyz[] = {0, 0, 0, 1, 0, 0}, keys[] = {1, 11};
+    static const double weights[] = {0, 0, 0.5, 1}; /* of "red", of "plain" */
+    static const unsigned char black[] = {0, 0, 40, 0, 0, 0}, red[] = {200, 0, 0, 100, 0, 255};
+    V_SCENE *scene = new_scene();
+    int sheet = add(scene, "sheet", V_NODE_OBJECT, -1), plain = add(scene, "plain", V_NODE_OBJECT, -1);
+    int coloured = -1;
+    unsigned char rgb[6] = {1, 2, 3, 4, 5, 6}, got[6];
+    V_MESH mesh;
+    size_t points = 0;
+
+    memset(&mesh, 0, sizeof mesh);
+    mesh.size = sizeof mesh;
+    mesh.xyz = xyz;
+    mesh.points = 2;
+    OK(v_scene_set_geometry(scene, plain, &mesh));
+    OK(v_scene_vertices(scene, plain, 1, NULL, rgb, 2, NULL));
+    CHECK(rgb[0] == 1 && rgb[5] == 6); /* none to be had */
+    mesh.rgb = black;
+    OK(v_scene_set_geometry(scene, sheet, &mesh));
+    OK(v_scene_add_shape(scene, sheet, "red", xyz, red, 2));
+    OK(v_scene_add_shape(scene, sheet, "plain", xyz, NULL, 2));
+    OK(v_scene_set_track(scene, sheet, "weights", "linear", keys, weights, NULL, 2, 0));
+    /* At frame 6: a quarter of red; what "plain" has is the mesh's. */
+    OK(v_scene_vertices(scene, sheet, 6, NULL, rgb, 2, &points));
+    CHECK(points == 2 && rgb[0] == 50 && rgb[1] == 0 && rgb[2] == 30 && rgb[3] == 25);
+    CHECK(rgb[4] == 0 && rgb[5] == 64);
+    rgb[0] = 7;
+    STATUS(V_ERR_SIZE, v_scene_vertices(scene, sheet, 6, NULL, rgb, 1, &points));
+    CHECK(rgb[0] == 7 && points == 2);
+    OK(v_scene_get_shape(scene, sheet, 0, NULL, NULL, got, 2, NULL, &coloured));
+    CHECK(coloured == 1 && memcmp(got, red, sizeof red) == 0);
+    OK(v_scene_get_shape(scene, sheet, 1, NULL, NULL, NULL, 0, &points, &coloured));
+    CHECK(coloured == 0 && points == 2);
+    v_scene_free(scene);
+}
+
 static void objects_change(void)
 {
     static const double xyz[] = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
@@ -207,15 +246,15 @@ static void objects_change(void)
     mesh.triangles = corners;
     STATUS(V_ERR_ARGUMENT, v_scene_set_geometry(scene, 0, &mesh));
     OK(v_scene_set_geometry(scene, sheet, &mesh));
-    OK(v_scene_add_shape(scene, sheet, "high", high, 4));
-    STATUS(V_ERR_RANGE, v_scene_add_shape(scene, sheet, "few", high, 3));
+    OK(v_scene_add_shape(scene, sheet, "high", high, NULL, 4));
+    STATUS(V_ERR_RANGE, v_scene_add_shape(scene, sheet, "few", high, NULL, 3));
     OK(v_scene_set_track(scene, sheet, "weights", "linear", two, weight, NULL, 2, 0));
-    OK(v_scene_vertices(scene, sheet, 6, out, 4, &points));
+    OK(v_scene_vertices(scene, sheet, 6, out, NULL, 4, &points));
     CHECK(points == 4 && out[2] == 1 && out[11] == 1 && out[6] == 1);
     points = 0;
-    STATUS(V_ERR_SIZE, v_scene_vertices(scene, sheet, 6, out, 3, &points));
+    STATUS(V_ERR_SIZE, v_scene_vertices(scene, sheet, 6, out, NULL, 3, &points));
     CHECK(points == 4);
-    STATUS(V_ERR_ARGUMENT, v_scene_vertices(scene, 0, 6, out, 3, &points));
+    STATUS(V_ERR_ARGUMENT, v_scene_vertices(scene, 0, 6, out, NULL, 3, &points));
     /* Twisted in the scene and by itself: the same. */
     OK(v_deform("twist", twist, 2, box, p, 1));
     NEAR(p[0], 0, 1e-15);
@@ -223,7 +262,7 @@ static void objects_change(void)
     OK(v_scene_add_deformation(scene, sheet, "twist", twist, 2, box, &at));
     CHECK(at == 0);
     OK(v_scene_set_track(scene, sheet, "weights", NULL, NULL, NULL, NULL, 0, 0));
-    OK(v_scene_vertices(scene, sheet, 6, out, 4, &points));
+    OK(v_scene_vertices(scene, sheet, 6, out, NULL, 4, &points));
     NEAR(out[6], 0, 1e-15);
     NEAR(out[8], -1, 1e-15);
     OK(v_scene_set_track(scene, sheet, "deformation.0.angle", "linear", two, weight, NULL, 2, 0));
@@ -249,7 +288,7 @@ static int middle(const double *frames, const double *values, size_t width, size
     asked++;
     if (user != &asked || keys != 2 || frame < frames[0] || frame > frames[1])
         return 1;
-    if (v_scene_node_count(asked_scene, &count) != V_ERR_BUSY)
+    if (v_scene_count(asked_scene, 0, "nodes", &count) != V_ERR_BUSY)
         return 1;
     for (i = 0; i < width; i++)
         value[i] = (values[i] + values[width + i]) / 2;
@@ -427,7 +466,7 @@ static int holds(const char *name, const char *words)
 static size_t vertices(V_SCENE *scene, int node)
 {
     size_t points = 99;
-    OK(v_scene_vertices(scene, node, 1, NULL, 0, &points));
+    OK(v_scene_vertices(scene, node, 1, NULL, NULL, 0, &points));
     return points;
 }
 
@@ -524,6 +563,7 @@ int main(int argc, char **argv)
     folder = argc > 1 ? argv[1] : ".";
     a_new_scene_is_a_camera_on_a_path();
     a_car();
+    colours_morph();
     objects_change();
     a_hosts_interpolation();
     what_is_wrong_is_refused();

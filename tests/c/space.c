@@ -25,7 +25,7 @@ static V_PATH *bent_path(const double centre[3], double half_size, int up)
     V_PATH *path = new_path();
     V_ORIENTATION o;
     int point, k;
-    OK(v_path_set_space(path, centre, half_size, up));
+    OK(set_path_space(path, centre, half_size, up));
     for (point = 0; point < 4; point++) {
         double in_cube[3], at[3];
         exchange(places[point], in_cube);
@@ -98,17 +98,16 @@ static void what_is_set_comes_back(void)
     V_PATH *path = new_path(), *copy = NULL;
     double centre[3] = {7, 7, 7}, half = 0, at[3];
     int up = 0;
-    OK(v_path_get_space(path, centre, &half, &up));
+    OK(get_path_space(path, centre, &half, &up));
     CHECK(centre[0] == 0 && centre[1] == 0 && centre[2] == 0 && half == 1 && up == V_UP_Y);
     centre[1] = 2.5;
-    OK(v_path_set_space(path, centre, 40, V_UP_Z));
-    OK(v_path_get_position(path, 0, at));
+    OK(set_path_space(path, centre, 40, V_UP_Z));
+    OK(get_position(path, 0, at));
     CHECK(at[0] == -0.6 && at[1] == 0.2 && at[2] == 0.8); /* numbers stay */
     OK(v_path_clone(path, &copy));
     centre[1] = 0;
-    OK(v_path_get_space(copy, centre, &half, &up));
+    OK(get_path_space(copy, centre, &half, &up));
     CHECK(centre[1] == 2.5 && half == 40 && up == V_UP_Z);
-    OK(v_path_get_space(copy, NULL, NULL, NULL));
     v_path_free(copy);
     v_path_free(path);
 }
@@ -121,20 +120,21 @@ static void what_is_wrong_is_refused(void)
     int up;
     size_t k;
     for (k = 0; k < sizeof bad / sizeof *bad; k++)
-        STATUS(V_ERR_RANGE, v_path_set_space(path, centre, bad[k], V_UP_Y));
-    STATUS(V_ERR_RANGE, v_path_set_space(path, centre, sqrt(-1.0), V_UP_Y));
-    STATUS(V_ERR_RANGE, v_path_set_space(path, centre, 1, 0));
-    STATUS(V_ERR_RANGE, v_path_set_space(path, centre, 1, 3));
-    STATUS(V_ERR_RANGE, v_path_set_space(path, far_away, 0.1, V_UP_Y));
-    STATUS(V_ERR_RANGE, v_path_set_space(path, centre, 1e-12, V_UP_Y)); /* its points */
-    STATUS(V_ERR_NULL, v_path_set_space(path, NULL, 1, V_UP_Y));
-    STATUS(V_ERR_NULL, v_path_set_space(NULL, centre, 1, V_UP_Y));
+        STATUS(V_ERR_RANGE, set_path_space(path, centre, bad[k], V_UP_Y));
+    STATUS(V_ERR_RANGE, set_path_space(path, centre, sqrt(-1.0), V_UP_Y));
+    STATUS(V_ERR_ARGUMENT, set_path_space(path, centre, 1, 3));
+    STATUS(V_ERR_RANGE, v_path_set_number(path, "space.size", 1));
+    CHECK(strstr(v_last_error(), "known here: centre, half_size, up") != NULL);
+    STATUS(V_ERR_RANGE, set_path_space(path, far_away, 0.1, V_UP_Y));
+    STATUS(V_ERR_RANGE, set_path_space(path, centre, 1e-12, V_UP_Y)); /* its points */
+    STATUS(V_ERR_NULL, set_path_space(path, NULL, 1, V_UP_Y));
+    STATUS(V_ERR_NULL, set_path_space(NULL, centre, 1, V_UP_Y));
     centre[2] = HUGE_VAL;
-    STATUS(V_ERR_ARGUMENT, v_path_set_space(path, centre, 1, V_UP_Y));
-    OK(v_path_get_space(path, centre, &half, &up));
+    STATUS(V_ERR_ARGUMENT, set_path_space(path, centre, 1, V_UP_Y));
+    OK(get_path_space(path, centre, &half, &up));
     CHECK(centre[2] == 0 && half == 1 && up == V_UP_Y);
     v_path_free(path);
-    STATUS(V_ERR_HANDLE, v_path_get_space(path, centre, &half, &up));
+    STATUS(V_ERR_HANDLE, get_path_space(path, centre, &half, &up));
 }
 
 /* Points and views of the new path, by hand: z up, metres, round (100, 200, 30). */
@@ -142,26 +142,15 @@ static void a_new_path_lies_in_its_space(void)
 {
     static const double at[2][3] = {{140, 170, 40}, {140, 230, 40}};
     V_PATH *path = NULL;
-    V_SPACE space;
+    static const double there[3] = {100, 200, 30};
     V_ORIENTATION o;
     double centre[3], half, got[3];
     int up, point, k;
-    v_space_init(&space);
-    CHECK(space.size == sizeof space && space.half_size == 1 && space.up == V_UP_Y);
-    CHECK(space.centre[0] == 0 && space.centre[1] == 0 && space.centre[2] == 0);
-    memset(&space, 7, sizeof space);
-    (v_space_init)(&space); /* as other languages call it */
-    CHECK(space.size == sizeof space && space.half_size == 1 && space.up == V_UP_Y);
-    space.centre[0] = 100;
-    space.centre[1] = 200;
-    space.centre[2] = 30;
-    space.half_size = 50;
-    space.up = V_UP_Z;
-    OK(v_path_new_in_space(&space, &path));
-    OK(v_path_get_space(path, centre, &half, &up));
-    CHECK(memcmp(centre, space.centre, sizeof centre) == 0 && half == 50 && up == V_UP_Z);
+    OK(v_path_new_in_space(there, 50, V_UP_Z, &path));
+    OK(get_path_space(path, centre, &half, &up));
+    CHECK(memcmp(centre, there, sizeof centre) == 0 && half == 50 && up == V_UP_Z);
     for (point = 0; point < 2; point++) {
-        OK(v_path_get_position(path, point, got));
+        OK(get_position(path, point, got));
         for (k = 0; k < 3; k++)
             NEAR(got[k], at[point][k], 1e-12);
         v_orientation_init(&o);
@@ -169,39 +158,27 @@ static void a_new_path_lies_in_its_space(void)
         CHECK(o.absolute == 0 && o.target[0] < 0 && o.target[1] == 0 && o.target[2] == 0);
     }
     v_path_free(path);
-    OK(v_path_new_in_space(NULL, &path));
-    OK(v_path_get_space(path, NULL, &half, &up));
-    CHECK(half == 1 && up == V_UP_Y);
-    v_path_free(path);
 }
 
 static void a_bad_space_is_refused(void)
 {
     static const double bad[] = {0, -1, 1e-300, 1e300, HUGE_VAL};
     V_PATH *path = (V_PATH *)&path;
-    V_SPACE space;
+    double centre[3] = {0, 0, 0};
     size_t k;
-    v_space_init(&space);
-    for (k = 0; k < sizeof bad / sizeof *bad; k++) {
-        space.half_size = bad[k];
-        STATUS(V_ERR_RANGE, v_path_new_in_space(&space, &path));
-    }
-    space.half_size = 1;
-    for (space.up = -1; space.up < 10; space.up++)
-        if (space.up != V_UP_Y && space.up != V_UP_Z)
-            STATUS(V_ERR_RANGE, v_path_new_in_space(&space, &path));
-    space.up = V_UP_Z;
-    space.centre[1] = 2e9;
-    STATUS(V_ERR_RANGE, v_path_new_in_space(&space, &path));
-    space.centre[1] = HUGE_VAL;
-    STATUS(V_ERR_ARGUMENT, v_path_new_in_space(&space, &path));
-    space.centre[1] = 0;
-    STATUS(V_ERR_NULL, v_path_new_in_space(&space, NULL));
-    for (k = 0; k < 80; k++)
-        if (k != sizeof space) {
-            space.size = k;
-            STATUS(V_ERR_SIZE, v_path_new_in_space(&space, &path));
-        }
+    int up;
+    for (k = 0; k < sizeof bad / sizeof *bad; k++)
+        STATUS(V_ERR_RANGE, v_path_new_in_space(centre, bad[k], V_UP_Y, &path));
+    for (up = -1; up < 10; up++)
+        if (up != V_UP_Y && up != V_UP_Z)
+            STATUS(V_ERR_RANGE, v_path_new_in_space(centre, 1, up, &path));
+    centre[1] = 2e9;
+    STATUS(V_ERR_RANGE, v_path_new_in_space(centre, 1, V_UP_Z, &path));
+    centre[1] = HUGE_VAL;
+    STATUS(V_ERR_ARGUMENT, v_path_new_in_space(centre, 1, V_UP_Z, &path));
+    centre[1] = 0;
+    STATUS(V_ERR_NULL, v_path_new_in_space(centre, 1, V_UP_Z, NULL));
+    STATUS(V_ERR_NULL, v_path_new_in_space(NULL, 1, V_UP_Z, &path));
     CHECK(path == (V_PATH *)&path); /* nothing was written */
 }
 
@@ -230,7 +207,10 @@ static void another_axis_turns_nothing(void)
         V_PATH *old = NULL;
         OK(v_path_clone(path, &old));
         OK(v_path_change_up(path, to));
-        OK(v_path_get_space(path, NULL, NULL, &up));
+        {
+            double centre[3], half;
+            OK(get_path_space(path, centre, &half, &up));
+        }
         CHECK(up == to && poses_of(path, after) == count);
         for (n = 0; n < 2 * count - 1; n++) {
             OK(v_path_pose(old, 1 + n / 2.0, &here));
@@ -281,7 +261,7 @@ static void who_aims_stands_as_the_scene_does(void)
     size_t count = 0;
     int up = 0, target = -1, camera = -1, k;
     OK(v_scene_new(&scene));
-    OK(v_scene_get_space(scene, got, &half, &up));
+    OK(get_scene_space(scene, got, &half, &up));
     CHECK(got[0] == 0 && half == 1 && up == V_UP_Y);
     v_node_init(&node, V_NODE_OBJECT);
     memcpy(node.position, car, sizeof car);
@@ -292,8 +272,8 @@ static void who_aims_stands_as_the_scene_does(void)
     OK(v_scene_add_node(scene, "watch", &node, &camera));
     for (up = V_UP_Y; up <= V_UP_Z; up++) {
         int is = 0;
-        OK(v_scene_set_space(scene, centre, 50, up));
-        OK(v_scene_get_space(scene, got, &half, &is));
+        OK(set_scene_space(scene, centre, 50, up));
+        OK(get_scene_space(scene, got, &half, &is));
         CHECK(memcmp(got, centre, sizeof got) == 0 && half == 50 && is == up);
         OK(v_scene_evaluate(scene, 1, states, 3, &count));
         level(eye, car, up == V_UP_Z ? 2 : 1, vpn, vup);
@@ -302,16 +282,15 @@ static void who_aims_stands_as_the_scene_does(void)
             NEAR(states[camera].pose.vup[k], vup[k], 1e-12);
         }
     }
-    OK(v_scene_get_space(scene, NULL, NULL, NULL));
-    STATUS(V_ERR_RANGE, v_scene_set_space(scene, centre, 0, V_UP_Z));
-    STATUS(V_ERR_RANGE, v_scene_set_space(scene, centre, 50, 9));
-    STATUS(V_ERR_NULL, v_scene_set_space(scene, NULL, 50, V_UP_Z));
+    STATUS(V_ERR_RANGE, set_scene_space(scene, centre, 0, V_UP_Z));
+    STATUS(V_ERR_ARGUMENT, set_scene_space(scene, centre, 50, 9));
+    STATUS(V_ERR_NULL, set_scene_space(scene, NULL, 50, V_UP_Z));
     centre[1] = HUGE_VAL;
-    STATUS(V_ERR_ARGUMENT, v_scene_set_space(scene, centre, 50, V_UP_Z));
-    OK(v_scene_get_space(scene, got, &half, &up));
+    STATUS(V_ERR_ARGUMENT, set_scene_space(scene, centre, 50, V_UP_Z));
+    OK(get_scene_space(scene, got, &half, &up));
     CHECK(got[1] == 200 && half == 50 && up == V_UP_Z);
     v_scene_free(scene);
-    STATUS(V_ERR_HANDLE, v_scene_get_space(scene, got, &half, &up));
+    STATUS(V_ERR_HANDLE, get_scene_space(scene, got, &half, &up));
 }
 
 static void near_poses(const V_POSE *a, const V_POSE *b, size_t count, double metres, double rest)
@@ -330,11 +309,10 @@ static void near_poses(const V_POSE *a, const V_POSE *b, size_t count, double me
 static void metres_through_every_door(const char *folder)
 {
     static const double places[4][3] = {{120, 170, 35}, {140, 200, 42}, {118, 228, 38}, {95, 225, 33}};
-    static const double door[3] = {101, 199, 31.5};
+    static const double door[3] = {101, 199, 31.5}, middle[3] = {100, 200, 30};
     static V_POSE own[MOST], got[MOST];
     char file[4096];
     double centre[3], half, vpn[3], vup[3];
-    V_SPACE space;
     V_PATH *path = NULL, *copy = NULL, *block = NULL;
     V_SCENE *scene = NULL, *loaded = NULL;
     V_NODE_STATE state[1];
@@ -344,13 +322,7 @@ static void metres_through_every_door(const char *folder)
     int up, k, points;
     const double matrix[16] = {0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 300, 100, 5, 1};
 
-    v_space_init(&space);
-    space.centre[0] = 100;
-    space.centre[1] = 200;
-    space.centre[2] = 30;
-    space.half_size = 50;
-    space.up = V_UP_Z;
-    OK(v_path_new_in_space(&space, &path));
+    OK(v_path_new_in_space(middle, 50, V_UP_Z, &path));
     for (k = 0; k < 4; k++) {
         OK(v_path_insert_point(path, k, places[k]));
         v_orientation_init(&o);
@@ -375,23 +347,23 @@ static void metres_through_every_door(const char *folder)
     OK(v_path_save(path, file));
     OK(v_path_load(file, &copy));
     CHECK(poses_of(copy, got) == count && memcmp(own, got, count * sizeof *own) == 0);
-    OK(v_path_get_space(copy, centre, &half, &up));
-    CHECK(memcmp(centre, space.centre, sizeof centre) == 0 && half == 50 && up == V_UP_Z);
+    OK(get_path_space(copy, centre, &half, &up));
+    CHECK(memcmp(centre, middle, sizeof centre) == 0 && half == 50 && up == V_UP_Z);
     v_path_free(copy);
     /* A scene, its file, and the camera in it. */
     OK(v_scene_new(&scene));
-    OK(v_scene_set_space(scene, space.centre, 50, V_UP_Z));
+    OK(set_scene_space(scene, middle, 50, V_UP_Z));
     OK(v_scene_set_path(scene, 0, path, 1, V_AFTER_HOLD));
     snprintf(file, sizeof file, "%s/scene.vid", folder);
     OK(v_scene_save(scene, file));
     OK(v_scene_load(file, &loaded));
-    OK(v_scene_get_space(loaded, centre, &half, &up));
-    CHECK(memcmp(centre, space.centre, sizeof centre) == 0 && half == 50 && up == V_UP_Z);
+    OK(get_scene_space(loaded, centre, &half, &up));
+    CHECK(memcmp(centre, middle, sizeof centre) == 0 && half == 50 && up == V_UP_Z);
     for (n = 0; n < count; n += 5) {
         OK(v_scene_evaluate(loaded, (double)(n + 1), state, 1, &one));
         near_poses(&state[0].pose, &own[n], 1, 1e-9, 1e-12);
     }
-    OK(v_scene_get_path(loaded, 0, &copy));
+    OK(v_scene_get_path(loaded, 0, &copy, NULL, NULL));
     CHECK(poses_of(copy, got) == count && memcmp(own, got, count * sizeof *own) == 0);
     v_path_free(copy);
     v_scene_free(loaded);
@@ -407,8 +379,8 @@ static void metres_through_every_door(const char *folder)
     v_free_liste(&list);
     /* A block, a quarter turn about z with targets, the way back. */
     OK(v_path_extract(path, 0, 3, &block));
-    OK(v_path_get_space(block, centre, &half, &up));
-    CHECK(memcmp(centre, space.centre, sizeof centre) == 0 && half == 50 && up == V_UP_Z);
+    OK(get_path_space(block, centre, &half, &up));
+    CHECK(memcmp(centre, middle, sizeof centre) == 0 && half == 50 && up == V_UP_Z);
     v_path_free(block);
     OK(v_path_clone(path, &copy));
     OK(v_path_point_count(copy, &points));
@@ -451,7 +423,7 @@ static void a_pose_becomes_an_orientation(void)
             OK(v_orientation_from_pose(&poses[n], up, &o));
             CHECK(o.size == sizeof o && o.absolute == 0 && o.hold == 5 && o.speed[3] == 50);
             o.hold = 0;
-            OK(v_path_set_position(path, 0, poses[n].vrp));
+            OK(set_position(path, 0, poses[n].vrp));
             OK(v_path_set_orientation(path, 0, 0, &o));
             OK(v_path_pose(path, 1, &again));
             NEAR(again.zoom, poses[n].zoom, 1e-12);

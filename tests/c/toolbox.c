@@ -382,7 +382,7 @@ static void gl_matrix(void)
     V_POSE pose = some_pose();
     double m[16], eye[3] = {0, 0, 0};
     int i, k;
-    OK(v_pose_gl_matrix(&pose, m));
+    OK(v_pose_matrix(&pose, V_AXES_OPENGL, 0, m));
     /* By columns: looking along -z already, so only the place is taken off. */
     for (i = 0; i < 16; i++) {
         static const double should[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -1, -2, -3, 1};
@@ -390,7 +390,7 @@ static void gl_matrix(void)
     }
     pose.vpn[0] = 1; /* to the right: what was ahead is now on the left */
     pose.vpn[2] = 0;
-    OK(v_pose_gl_matrix(&pose, m));
+    OK(v_pose_matrix(&pose, V_AXES_OPENGL, 0, m));
     for (i = 0; i < 3; i++)
         for (k = 0; k < 4; k++)
             eye[i] += m[4 * k + i] * (k == 0 ? 1 : k == 1 ? 2 : k == 2 ? 3 - 5 : 1);
@@ -398,13 +398,13 @@ static void gl_matrix(void)
     NEAR(eye[1], 0, 1e-14);
     NEAR(eye[2], 0, 1e-14);
     m[0] = 77;
-    STATUS(V_ERR_NULL, v_pose_gl_matrix(NULL, m));
-    STATUS(V_ERR_NULL, v_pose_gl_matrix(&pose, NULL));
+    STATUS(V_ERR_NULL, v_pose_matrix(NULL, V_AXES_OPENGL, 0, m));
+    STATUS(V_ERR_NULL, v_pose_matrix(&pose, V_AXES_OPENGL, 0, NULL));
     pose.vrp[1] = INFINITY;
-    STATUS(V_ERR_ARGUMENT, v_pose_gl_matrix(&pose, m));
+    STATUS(V_ERR_ARGUMENT, v_pose_matrix(&pose, V_AXES_OPENGL, 0, m));
     pose = some_pose();
     pose.vpn[2] = 0;
-    STATUS(V_ERR_ARGUMENT, v_pose_gl_matrix(&pose, m));
+    STATUS(V_ERR_ARGUMENT, v_pose_matrix(&pose, V_AXES_OPENGL, 0, m));
     CHECK(m[0] == 77);
 }
 

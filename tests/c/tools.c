@@ -1,15 +1,9 @@
 /* Tools on paths: moves, points moved and deformed, blocks, blends. */
 #include "check.h"
 
-static const double a_nan = NAN;
-
 static V_PATH *orbit(double turns, double seconds)
 {
-    V_PATH *path = NULL;
-    const double numbers[] = {0, 0.5, 0, 1.2, 0.4, 0, turns, 24, seconds};
-
-    OK(v_path_from_move("orbit", numbers, 9, &path));
-    return path;
+    return made_by("orbit", "around=0,0.5,0\nradius=1.2\nturns=%g\nseconds=%g", turns, seconds);
 }
 
 static void an_orbit_is_round(void)
@@ -17,6 +11,7 @@ static void an_orbit_is_round(void)
     V_PATH *path = orbit(2, 12), *plain = NULL;
     V_POSE pose;
     size_t count = 0, i;
+    double here[3];
     int points;
 
     OK(v_path_frame_count(path, &count));
@@ -30,27 +25,29 @@ static void an_orbit_is_round(void)
         /* The target is in the middle of the view. */
         NEAR(pose.vpn[0] * pose.vrp[2] - pose.vpn[2] * pose.vrp[0], 0, 1e-12);
     }
-    OK(v_path_from_move("pan", NULL, 0, &plain));
-    v_path_free(plain);
+    OK(v_path_clone(path, &plain));
+    OK(v_path_tool(path, "pan", NULL, NULL));
+    OK(get_position(path, 0, here));
+    CHECK(here[0] == 0 && here[1] == 0 && here[2] == 0);
     v_path_free(path);
-    plain = NULL;
-    STATUS(V_ERR_ARGUMENT, v_path_from_move("loop", NULL, 0, &plain));
-    STATUS(V_ERR_NULL, v_path_from_move("orbit", NULL, 1, &plain));
-    STATUS(V_ERR_RANGE, v_path_from_move("orbit", &a_nan, 999, &plain));
-    STATUS(V_ERR_ARGUMENT, v_path_from_move("orbit", &a_nan, 1, &plain));
-    CHECK(plain == NULL);
+    STATUS(V_ERR_ARGUMENT, v_path_tool(plain, "loop", NULL, NULL));
+    STATUS(V_ERR_RANGE, v_path_tool(plain, "orbit", "speed=1", NULL));
+    STATUS(V_ERR_ARGUMENT, v_path_tool(plain, "orbit", "radius=nan", NULL));
+    STATUS(V_ERR_ARGUMENT, v_path_tool(plain, "orbit", "around=1,2", NULL));
+    OK(v_path_frame_count(plain, &count));
+    CHECK(count == 300);
+    v_path_free(plain);
 }
 
 static void points_are_moved_and_deformed(void)
 {
     V_PATH *path = orbit(1, 4);
     double matrix[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1, -2, 3, 1};
-    const double twist[] = {1, 180}, box[] = {-3, -3, -3, 3, 3, 3};
     double before[3], after[3];
 
-    OK(v_path_get_position(path, 3, before));
+    OK(get_position(path, 3, before));
     OK(v_path_transform(path, 0, 12, matrix, 1));
-    OK(v_path_get_position(path, 3, after));
+    OK(get_position(path, 3, after));
     NEAR(after[0] - before[0], 1, 1e-15);
     NEAR(after[1] - before[1], -2, 1e-15);
     matrix[4] = 0.5;
@@ -58,9 +55,9 @@ static void points_are_moved_and_deformed(void)
     STATUS(V_ERR_RANGE, v_path_transform(path, 2, 1, matrix, 1));
     STATUS(V_ERR_RANGE, v_path_transform(path, 0, 12, matrix, 2));
     STATUS(V_ERR_RANGE, v_path_transform(path, 0, 13, matrix, 1));
-    OK(v_path_get_position(path, 3, before));
-    OK(v_path_deform(path, 3, 3, "twist", twist, 2, box, 0));
-    OK(v_path_get_position(path, 3, after));
+    OK(get_position(path, 3, before));
+    OK(tool(path, "twist", NULL, "axis=y\nangle=180\nfirst=4\nlast=4\nbox=-3,-3,-3,3,3,3"));
+    OK(get_position(path, 3, after));
     /* Turned by 180 degrees times the share of the height in the box; (u, v) are
      * (z, x) about y. */
     {
@@ -68,7 +65,8 @@ static void points_are_moved_and_deformed(void)
         NEAR(after[2], before[2] * cos(angle) - before[0] * sin(angle), 1e-14);
         NEAR(after[0], before[2] * sin(angle) + before[0] * cos(angle), 1e-14);
     }
-    STATUS(V_ERR_ARGUMENT, v_path_deform(path, 0, 1, "shear", twist, 2, box, 0));
+    STATUS(V_ERR_ARGUMENT, tool(path, "shear", NULL, ""));
+    STATUS(V_ERR_ARGUMENT, tool(path, "twist", NULL, "box=3,3,3,-3,-3,-3"));
     v_path_free(path);
 }
 
@@ -88,9 +86,9 @@ static void blocks(void)
     OK(v_path_tool(block, "repeat", "times=2", NULL));
     OK(v_path_point_count(block, &points));
     CHECK(points == 13);
-    OK(v_path_get_position(block, 0, one));
+    OK(get_position(block, 0, one));
     OK(v_path_tool(block, "reverse", NULL, NULL));
-    OK(v_path_get_position(block, 12, two));
+    OK(get_position(block, 12, two));
     CHECK(memcmp(one, two, sizeof one) == 0);
     both[0] = path;
     both[1] = block;
@@ -99,9 +97,9 @@ static void blocks(void)
     OK(v_path_blend(both, weights, 2, &blend));
     OK(v_path_get_number(blend, "fps", &fps)); /* of the path that weighs most */
     CHECK(fps == 30);
-    OK(v_path_get_position(path, 0, one));
-    OK(v_path_get_position(block, 0, two));
-    OK(v_path_get_position(blend, 0, mixed));
+    OK(get_position(path, 0, one));
+    OK(get_position(block, 0, two));
+    OK(get_position(blend, 0, mixed));
     for (k = 0; k < 3; k++)
         NEAR(mixed[k], 0.25 * one[k] + 0.75 * two[k], 1e-12);
     weights[0] = 0.5;
@@ -120,19 +118,16 @@ static void blocks(void)
  * them, and poses that are off left out. */
 static void moves_and_fits_have_a_space(void)
 {
+    static const double there[3] = {1000, 0, 0};
     V_PATH *path = NULL, *fitted = NULL;
-    V_SPACE space;
     static V_POSE poses[250], again[250];
-    double centre[3], half;
-    size_t count = 0, left_out = 99, i;
-    int up, k;
+    double centre[3], half, tolerance, least, left_out = 99;
+    size_t count = 0, i;
+    int up, k, points;
 
-    v_space_init(&space);
-    space.centre[0] = 1000;
-    space.half_size = 50;
-    space.up = V_UP_Z;
-    OK(v_path_from_move_in_space("orbit", NULL, 0, &space, &path));
-    OK(v_path_get_space(path, centre, &half, &up));
+    OK(v_path_new_in_space(there, 50, V_UP_Z, &path));
+    OK(v_path_tool(path, "orbit", NULL, NULL));
+    OK(get_path_space(path, centre, &half, &up));
     CHECK(centre[0] == 1000 && half == 50 && up == V_UP_Z);
     OK(v_path_sample(path, poses, 250, &count));
     CHECK(count == 250);
@@ -141,28 +136,37 @@ static void moves_and_fits_have_a_space(void)
         NEAR(poses[i].vrp[2], 20, 1e-9);
         CHECK(poses[i].vup[2] > 0.9);
     }
-    STATUS(V_ERR_ARGUMENT, v_path_from_move_in_space("loop", NULL, 0, &space, &fitted));
-
-    space.half_size = 0;
-    OK(v_path_fit_poses_in_space(poses, NULL, count, 25, 0.1, 0.5, &space, &fitted));
-    OK(v_path_get_space(fitted, centre, &half, &up));
+    OK(v_path_fit_poses(poses, NULL, count, "tolerance=0.1\nup=z", &fitted));
+    OK(get_path_space(fitted, centre, &half, &up));
     NEAR(centre[0], 1000, 0.1);
     NEAR(half, 55, 0.1);
     CHECK(up == V_UP_Z);
     v_path_free(fitted);
-    space.half_size = 400;
-    OK(v_path_fit_poses_in_space(poses, NULL, count, 25, 0.1, 0.5, &space, &fitted));
-    OK(v_path_get_space(fitted, centre, &half, &up));
-    CHECK(centre[0] == 1000 && half == 400);
+    OK(v_path_fit_poses(poses, NULL, count, "tolerance=0.1\nspace=1000,0,0,400", &fitted));
+    OK(get_path_space(fitted, centre, &half, &up));
+    CHECK(centre[0] == 1000 && half == 400 && up == V_UP_Y);
     v_path_free(fitted);
-    OK(v_path_fit_poses_in_space(poses, NULL, count, 25, 0.1, 0.5, NULL, &fitted));
-    OK(v_path_get_space(fitted, centre, &half, &up));
+    OK(v_path_fit_poses(poses, NULL, count, NULL, &fitted));
+    OK(get_path_space(fitted, centre, &half, &up));
     NEAR(half, 55, 0.1);
-    CHECK(up == V_UP_Y);
+    OK(v_last_number("tolerance", &tolerance));
+    NEAR(tolerance, 1e-3 * sqrt(2) * 100, 1e-3); /* of the diagonal of a flat square */
+    OK(v_path_fit_poses(poses, NULL, count, "points=6", &path));
+    OK(v_last_number("tolerance", &least));
+    OK(v_path_point_count(path, &points));
+    CHECK(points <= 6 && least > 0);
+    OK(v_path_sample(path, again, 250, &count));
+    CHECK(count == 250);
+    for (i = 0; i < count; i++)
+        for (k = 0; k < 3; k++)
+            NEAR(again[i].vrp[k], poses[i].vrp[k], 1.01 * least);
+    v_path_free(path);
     v_path_free(fitted);
 
     poses[77].vrp[2] += 5;
-    OK(v_path_fit_poses_robust(poses, NULL, count, 25, 0.1, 0.5, &space, &left_out, &fitted));
+    OK(v_path_fit_poses(poses, NULL, count, "tolerance=0.1\nup=z\nrobust=yes\nspace=1000,0,0,400",
+                        &fitted));
+    OK(v_last_number("left_out", &left_out));
     CHECK(left_out == 1);
     CHECK(strstr(v_last_warning(),
           "Found: 1 outlier. 1 pose is left out, first poses[77].") != NULL);
@@ -172,9 +176,10 @@ static void moves_and_fits_have_a_space(void)
         for (k = 0; k < 3; k++)
             NEAR(again[i].vrp[k], poses[i].vrp[k] - 5 * (i == 77 && k == 2), 0.11);
     v_path_free(fitted);
-    space.size = 1;
-    STATUS(V_ERR_SIZE, v_path_fit_poses_in_space(poses, NULL, 9, 25, 1, 1, &space, &fitted));
-    v_path_free(path);
+    STATUS(V_ERR_RANGE, v_path_fit_poses(poses, NULL, 9, "space=0,0,0,0", &fitted));
+    STATUS(V_ERR_ARGUMENT, v_path_fit_poses(poses, NULL, 9, "up=x", &fitted));
+    STATUS(V_ERR_RANGE, v_path_fit_poses(poses, NULL, 9, "near=1", &fitted));
+    CHECK(strstr(v_last_error(), "tolerance, angle, points, robust, fps, up, space") != NULL);
 }
 
 static void what_looks_wrong_is_found(void)
@@ -256,8 +261,8 @@ static void the_faces_of_the_own_object_are_looked_at(void)
     size_t i, count = 0, other = 0;
 
     OK(v_path_new(&path));
-    OK(v_path_set_position(path, 0, ends[0]));
-    OK(v_path_set_position(path, 1, ends[1]));
+    OK(set_position(path, 0, ends[0]));
+    OK(set_position(path, 1, ends[1]));
     OK(v_path_check(path, NULL, own, 16, &count));
     CHECK(!has(own, count, "through", &value));
     OK(v_path_check(path, &box, given, 16, &other));
@@ -300,9 +305,9 @@ static void retime(void)
     size_t frames, again;
 
     OK(v_path_new(&path));
-    OK(v_path_set_position(path, 0, place));
+    OK(set_position(path, 0, place));
     place[0] = 0.9;
-    OK(v_path_set_position(path, 1, place));
+    OK(set_position(path, 1, place));
     OK(v_path_set_number(path, "check.speed", 0.5));
     OK(v_path_set_number(path, "check.acceleration", 1));
     OK(tool(path, "retime", NULL, "seconds=0\nfirst=1\nlast=2"));
@@ -364,7 +369,7 @@ static void steady(void)
         poses[k].vpn[2] = poses[k].vup[1] = 1;
         poses[k].zoom = 30;
     }
-    OK(v_path_fit_poses(poses, NULL, 200, 25, 1e-4, 0.1, &path));
+    OK(v_path_fit_poses(poses, NULL, 200, "tolerance=1e-4\nangle=0.1", &path));
     OK(v_path_clone(path, &again));
     OK(tool(path, "steady", NULL, "period=1\nwithin=0"));
     CHECK(strstr(v_last_warning(), "places went 0.00") != NULL);
@@ -404,8 +409,8 @@ static void avoid(void)
     int points, again;
 
     OK(v_path_new(&path));
-    OK(v_path_set_position(path, 0, ends[0]));
-    OK(v_path_set_position(path, 1, ends[1]));
+    OK(set_position(path, 0, ends[0]));
+    OK(set_position(path, 1, ends[1]));
     STATUS(V_ERR_ARGUMENT, tool(path, "avoid", NULL, "clearance=0.1\nradius=0"));
     STATUS(V_ERR_RANGE, tool(path, "avoid", &box, "clearance=0\nradius=0"));
     STATUS(V_ERR_ARGUMENT, tool(path, "avoid", &box, "clearance=0.1\nradius=%g", NAN));
@@ -418,14 +423,14 @@ static void avoid(void)
     CHECK(!has(found, count, "through", &value) && !has(found, count, "clearance", &value));
     OK(v_path_point_count(path, &points));
     CHECK(points == 4);
-    OK(v_path_get_position(path, points - 1, place));
+    OK(get_position(path, points - 1, place));
     CHECK(memcmp(place, ends[1], sizeof place) == 0);
     OK(tool(path, "avoid", &box, "clearance=0.1\nradius=0.02"));
     CHECK(strcmp(v_last_warning(), "") == 0);
     OK(v_path_point_count(path, &again));
     CHECK(again == points);
     place[0] = place[1] = place[2] = 0;
-    OK(v_path_set_position(path, points - 1, place));
+    OK(set_position(path, points - 1, place));
     STATUS(V_ERR_ARGUMENT, tool(path, "avoid", &box, "clearance=0.1\nradius=0"));
     CHECK(strstr(v_last_error(), "no way round") != NULL && strstr(v_last_error(),
           "frame") != NULL);
@@ -529,63 +534,121 @@ static void tour(void)
     const unsigned corners[] = {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0,
         3, 5};
     V_MESH object;
-    V_TOUR tour;
-    V_PATH *path, *other;
+    V_PATH *path = new_path(), *other;
     V_FINDING found[8];
-    double coverage = 0;
+    double coverage = 0, seconds = 0;
+    V_POSE pose;
     size_t frames, count;
 
     memset(&object, 0, sizeof object);
     object.size = sizeof object;
-    v_tour_init(NULL);
-    CHECK(strstr(v_last_error(), "tour is NULL") != NULL);
-    v_tour_init(&tour);
-    CHECK(tour.size == sizeof tour && tour.seconds == 60 && tour.coverage == 0.95 && tour.up == V_UP_Y);
     object.points = 6;
     object.xyz = xyz;
     object.triangles = corners;
     object.corners = 24;
-    tour.seconds = 40;
-    tour.coverage = 1;
-    OK(v_path_tour(&object, &tour, &path, &coverage));
-    CHECK(coverage > 0.999 && strstr(v_last_warning(), "100.0 %") != NULL);
+    OK(v_path_tool(path, "tour", "seconds=40\ncoverage=1", &object));
+    CHECK(strstr(v_last_warning(), "100.0 %") != NULL);
+    OK(v_last_number("coverage", &coverage));
+    CHECK(coverage > 0.999);
+    OK(v_last_number("seconds", &seconds));
     OK(v_path_frame_count(path, &frames));
+    NEAR(seconds * 25, (double)frames, 1.5);
     /* A closed round comes back to its first pose, which is not shown twice. */
     CHECK(frames >= 1000 && frames <= 1001);
     OK(v_path_check(path, &object, found, 8, &count));
     CHECK(count == 0);
-    v_path_free(path);
-    /* All goes through NULL, and from a start; what will not do is refused. */
-    OK(v_path_tour(&object, NULL, &path, NULL));
-    v_path_free(path);
-    tour.has_start = 1;
-    tour.start[2] = 4;
-    OK(v_path_tour(&object, &tour, &path, NULL));
-    v_path_free(path);
-    other = NULL;
-    tour.start[2] = 0.5;
-    STATUS(V_ERR_ARGUMENT, v_path_tour(&object, &tour, &other, NULL));
+    /* From a start; of the path's own object; what will not do is refused. */
+    OK(v_path_tool(path, "tour", "start=0,0,4", &object));
+    OK(v_path_pose(path, 1, &pose));
+    NEAR(pose.vrp[2], 4, 1e-6);
+    STATUS(V_ERR_ARGUMENT, v_path_tool(path, "tour", NULL, NULL));
+    CHECK(strstr(v_last_error(), "surface") != NULL);
+    OK(v_path_set_object(path, &object));
+    OK(v_path_tool(path, "tour", NULL, NULL));
+    OK(v_path_clone(path, &other));
+    STATUS(V_ERR_ARGUMENT, v_path_tool(path, "tour", "start=0,0,0.5", &object));
     CHECK(strstr(v_last_error(), "start") != NULL);
-    tour.has_start = 0;
-    tour.seconds = 0.1;
-    STATUS(V_ERR_ARGUMENT, v_path_tour(&object, &tour, &other, NULL));
+    STATUS(V_ERR_ARGUMENT, v_path_tool(path, "tour", "seconds=0.1", &object));
     CHECK(strstr(v_last_error(), "too short") != NULL);
-    tour.seconds = 40;
-    tour.coverage = 1.5;
-    STATUS(V_ERR_RANGE, v_path_tour(&object, &tour, &other, NULL));
-    tour.coverage = 1;
-    tour.inside = 1;
-    OK(v_path_tour(&object, &tour, &path, &coverage));
+    STATUS(V_ERR_RANGE, v_path_tool(path, "tour", "coverage=1.5", &object));
+    STATUS(V_ERR_ARGUMENT, v_path_tool(path, "tour", "start=0,nan,1", &object));
+    OK(v_path_frame_count(path, &frames));
+    OK(v_path_frame_count(other, &count));
+    CHECK(frames == count);
+    v_path_free(other);
+    OK(v_path_tool(path, "tour", "coverage=1\ninside=yes", &object));
+    OK(v_last_number("coverage", &coverage));
     CHECK(coverage > 0.999);
-    v_path_free(path);
     object.corners = 0;
-    STATUS(V_ERR_ARGUMENT, v_path_tour(&object, NULL, &other, NULL));
-    CHECK(other == NULL && strstr(v_last_error(), "surface") != NULL);
+    STATUS(V_ERR_ARGUMENT, v_path_tool(path, "tour", NULL, &object));
+    CHECK(strstr(v_last_error(), "surface") != NULL);
+    v_path_free(path);
+}
+
+/* A node's path in its scene: the object is the scene's, and pins hold. */
+static void a_tool_in_a_scene(void)
+{
+    static const unsigned corners[] = {0, 1, 2};
+    static const double xyz[] = {-0.2, 0, 0.8, 0.2, 0, 0.8, 0, 0.4, 0.8};
+    V_SCENE *scene = NULL;
+    V_PATH *before = NULL, *path = NULL;
+    V_MESH mesh = {sizeof mesh, NULL, 0, NULL, NULL, 0, NULL, 0};
+    V_NODE node;
+    double moved = -1, start = 0;
+    size_t frames, count;
+    V_FINDING found[9];
+    int sheet, points, after;
+
+    OK(v_scene_new(&scene));
+    v_node_init(&node, V_NODE_OBJECT);
+    OK(v_scene_add_node(scene, "sheet", &node, &sheet));
+    mesh.xyz = xyz;
+    mesh.points = 3;
+    mesh.triangles = corners;
+    mesh.corners = 3;
+    OK(v_scene_set_geometry(scene, sheet, &mesh));
+    OK(v_scene_get_path(scene, 0, &before, NULL, NULL));
+    OK(v_scene_set_path(scene, 0, before, 11, V_AFTER_REPEAT));
+    OK(v_scene_tool(scene, 0, "avoid", "clearance=0.1", NULL));
+    OK(v_last_number("parts", &moved));
+    CHECK(moved == 1 && strcmp(v_last_warning(), "") != 0);
+    OK(v_scene_get_path(scene, 0, &path, &start, &after));
+    CHECK(start == 11 && after == V_AFTER_REPEAT);
+    OK(v_path_point_count(path, &points));
+    CHECK(points > 2);
+    OK(v_path_set_number(path, "check.clearance", 0.09));
+    OK(v_path_check(path, &mesh, found, 9, &count));
+    while (count-- > 0)
+        CHECK(strcmp(found[count].kind, "clearance") != 0 && strcmp(found[count].kind, "through") != 0);
+    v_path_free(path);
+    /* Pinned to frame 31, the last point is reached there, however long the way. */
+    OK(v_scene_set_path(scene, 0, before, 1, V_AFTER_HOLD));
+    OK(v_scene_set_marker(scene, "meet", 31));
+    OK(v_scene_set_marker(scene, "begin", 1));
+    OK(v_scene_pin(scene, 0, 0, "begin"));
+    OK(v_scene_pin(scene, 0, 1, "meet"));
+    OK(v_scene_tool(scene, 0, "scale", "factor=3\nabout=origin", NULL));
+    OK(v_scene_get_path(scene, 0, &path, NULL, NULL));
+    OK(v_path_frame_count(path, &frames));
+    CHECK(frames == 31);
+    v_path_free(path);
+    STATUS(V_ERR_RANGE, v_scene_tool(scene, 7, "reverse", NULL, NULL));
+    STATUS(V_ERR_RANGE, v_scene_tool(scene, -1, "reverse", NULL, NULL));
+    STATUS(V_ERR_ARGUMENT, v_scene_tool(scene, sheet, "reverse", NULL, NULL));
+    STATUS(V_ERR_ARGUMENT, v_scene_tool(scene, 0, "fold", NULL, NULL));
+    STATUS(V_ERR_ARGUMENT, v_scene_tool(scene, 0, "scale", "factor=much", NULL));
+    OK(v_scene_get_path(scene, 0, &path, NULL, NULL));
+    OK(v_path_frame_count(path, &frames));
+    CHECK(frames == 31);
+    v_path_free(path);
+    v_path_free(before);
+    v_scene_free(scene);
 }
 
 int main(void)
 {
     the_faces_of_the_own_object_are_looked_at();
+    a_tool_in_a_scene();
     an_orbit_is_round();
     points_are_moved_and_deformed();
     blocks();

@@ -1,6 +1,6 @@
 #!/bin/sh
 # The statuses that the header names for each function, as a table in C, and those that
-# it names once for all functions with a pointer, a path, a scene or a window:
+# it names once for all functions, by their parameters:
 # documented.sh HEADER
 set -eu
 
@@ -23,7 +23,12 @@ awk '
     name != "" { parameters = parameters $0 }
     name != "" && /;$/ {
         sub(/^[^(]*/, "", parameters)
-        if (parameters ~ /\*/) statuses = statuses " | 1u << V_ERR_NULL"
+        statuses = statuses " | 1u << V_ERR_MEMORY | 1u << V_ERR_LIMIT"
+        if (parameters ~ /[*\[]/) statuses = statuses " | 1u << V_ERR_NULL | 1u << V_ERR_ARGUMENT"
+        if (parameters ~ /(int|double|size_t|char) |V_(MESH|POSE|NODE|VIEW|ORIENTATION|EDITOR_OPTIONS) /)
+            statuses = statuses " | 1u << V_ERR_ARGUMENT | 1u << V_ERR_RANGE"
+        if (parameters ~ /capacity|V_(ORIENTATION|PROPERTY|MESH|MOTION|NODE|EDITOR_OPTIONS|VIEW) /)
+            statuses = statuses " | 1u << V_ERR_SIZE"
         if (parameters ~ /V_(PATH|SCENE|EDITOR) \*(const \*)?[a-z]/)
             statuses = statuses " | 1u << V_ERR_HANDLE"
         if (parameters ~ /V_SCENE \*[a-z]/) statuses = statuses " | 1u << V_ERR_BUSY"

@@ -5,26 +5,29 @@
 
 #define POINTS 4
 
-static int count_of_scene(int (*function)(const V_SCENE *, int *))
-{
-    const V_SCENE *of = a_scene();
-    return function(of, result(sizeof(int), 0));
-}
-
-static int count_of_node(int (*function)(const V_SCENE *, int, int *))
-{
-    const V_SCENE *of = a_scene();
-    int node = whole(1, 1);
-    return function(of, node, result(sizeof(int), 0));
-}
-
 CALL(v_scene_set_camera)
 {
     V_SCENE *of = a_scene();
     return v_scene_set_camera(of, whole(-1, 0));
 }
 
-CALL(v_scene_get_camera) { return count_of_scene(v_scene_get_camera); }
+CALL(v_scene_get_camera)
+{
+    const V_SCENE *of = a_scene();
+    return v_scene_get_camera(of, result(sizeof(int), 0));
+}
+
+CALL(v_scene_count)
+{
+    static const char *const of_what[] = {"nodes", "markers", "pins", "tracks", "shapes",
+                                          "deformations", "wheels", ""};
+    const V_SCENE *of = a_scene();
+    int node = whole(1, 1);
+    unsigned what = below(chance(wild) ? 8 : 6);
+
+    frame->unfit |= what >= 6;
+    return v_scene_count(of, node, text(of_what[what]), result(sizeof(int), 0));
+}
 
 CALL(v_scene_set_range)
 {
@@ -40,24 +43,12 @@ CALL(v_scene_set_parent)
     return v_scene_set_parent(of, node, parent, whole(V_KEEP_PLACE, V_KEEP_NUMBERS));
 }
 
-CALL(v_scene_get_start)
-{
-    const V_SCENE *of = a_scene();
-    int node = whole(0, 0);
-    double *start = result(sizeof *start, 1);
-    return v_scene_get_start(of, node, start, result(sizeof(int), 1));
-}
-
-CALL(v_scene_track_count) { return count_of_node(v_scene_track_count); }
-
 CALL(v_scene_get_channel)
 {
     const V_SCENE *of = a_scene();
     int node = whole(1, 1), at = whole(0, 0);
     return v_scene_get_channel(of, node, at, result(sizeof(char *), 0));
 }
-
-CALL(v_scene_marker_count) { return count_of_scene(v_scene_marker_count); }
 
 CALL(v_scene_get_marker)
 {
@@ -85,8 +76,6 @@ static V_SCENE *a_pinned_scene(void)
     return of;
 }
 
-CALL(v_scene_pin_count) { return count_of_scene(v_scene_pin_count); }
-
 CALL(v_scene_get_pin)
 {
     V_SCENE *of = a_pinned_scene();
@@ -109,16 +98,17 @@ CALL(v_scene_get_geometry)
     return v_scene_get_geometry(of, node, given("V_MESH", &mesh, sizeof mesh));
 }
 
-CALL(v_scene_shape_count) { return count_of_node(v_scene_shape_count); }
-
 CALL(v_scene_get_shape)
 {
     const V_SCENE *of = a_scene();
     int node = whole(1, 1), at = whole(0, 0);
     const char **name = result(sizeof *name, 1);
     double *xyz = result(3 * POINTS * sizeof *xyz, 1);
+    unsigned char *rgb = result(3 * POINTS, 1);
     size_t *points = result(sizeof *points, 1);
-    return too_small(v_scene_get_shape(of, node, at, name, xyz, POINTS, points), points, POINTS);
+    int *coloured = result(sizeof *coloured, 1);
+    return too_small(v_scene_get_shape(of, node, at, name, xyz, rgb, POINTS, points, coloured),
+                     points, POINTS);
 }
 
 CALL(v_scene_remove_shape)
@@ -127,8 +117,6 @@ CALL(v_scene_remove_shape)
     int node = whole(1, 1);
     return v_scene_remove_shape(of, node, whole(0, 0));
 }
-
-CALL(v_scene_deformation_count) { return count_of_node(v_scene_deformation_count); }
 
 CALL(v_scene_get_deformation)
 {

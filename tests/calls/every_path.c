@@ -153,20 +153,6 @@ CALL(v_path_remove_point)
     return v_path_remove_point(path, a_point(path));
 }
 
-CALL(v_path_set_position)
-{
-    V_PATH *path = a_path();
-    int at = a_point(path);
-    return v_path_set_position(path, at, numbers(3, -1, 1));
-}
-
-CALL(v_path_get_position)
-{
-    const V_PATH *path = a_path();
-    int at = a_point(path);
-    return v_path_get_position(path, at, result(3 * sizeof(double), 0));
-}
-
 CALL(v_orientation_init)
 {
     v_orientation_init(result(sizeof(V_ORIENTATION), 0));
@@ -449,12 +435,6 @@ CALL(v_view_from_pose)
                             (V_VIEW *)given("V_VIEW", &view, sizeof view));
 }
 
-CALL(v_pose_gl_matrix)
-{
-    const V_POSE *pose = a_pose();
-    return v_pose_gl_matrix(pose, result(16 * sizeof(double), 0));
-}
-
 CALL(v_fov_from_zoom)
 {
     double zoom = number(1, 2000);
@@ -471,55 +451,13 @@ CALL(v_zoom_from_fov)
 
 /* ---- Space ---------------------------------------------------------------------------- */
 
-CALL(v_path_set_space)
-{
-    V_PATH *path = a_path();
-    const double *centre = numbers(3, -1, 1);
-    double half_size = number(0.5, 2);
-    return v_path_set_space(path, centre, half_size, whole(V_UP_Y, V_UP_Z));
-}
-
-CALL(v_path_get_space)
-{
-    const V_PATH *path = a_path();
-    double *centre = result(3 * sizeof(double), 1), *half_size = result(sizeof(double), 1);
-    return v_path_get_space(path, centre, half_size, result(sizeof(int), 1));
-}
-
-const V_SPACE *a_space(void)
-{
-    V_SPACE space;
-    int i;
-
-    v_space_init(&space);
-    if (chance(wild)) {
-        frame->unfit = 1;
-        space.size = below(100);
-    }
-    for (i = 0; i < 3; i++)
-        space.centre[i] = number(-1, 1);
-    space.half_size = number(0.5, 2);
-    space.up = whole(V_UP_Y, V_UP_Z);
-    return chance(20) ? NULL : given("V_SPACE", &space, sizeof space);
-}
-
-CALL(v_space_init)
-{
-    (v_space_init)(result(sizeof(V_SPACE), 0));
-    return 0;
-}
-
-CALL(v_space_init_sized)
-{
-    v_space_init(result(sizeof(V_SPACE), 0));
-    return 0;
-}
-
 CALL(v_path_new_in_space)
 {
-    const V_SPACE *space = a_space();
+    const double *centre = numbers(3, -1, 1);
+    double half_size = number(0.5, 2);
+    int up = whole(V_UP_Y, V_UP_Z);
     V_PATH **path = result(sizeof *path, 0);
-    int status = v_path_new_in_space(space, path);
+    int status = v_path_new_in_space(centre, half_size, up, path);
 
     if (status == V_OK)
         frame->made_path = *path;
@@ -547,19 +485,6 @@ CALL(v_orientation_from_pose)
 
 /* ---- Shape and pace ------------------------------------------------------------------- */
 
-CALL(v_path_set_tangents)
-{
-    V_PATH *path = a_path();
-    int at = a_point(path);
-    const double *before, *after;
-
-    if (chance(30))
-        return v_path_set_tangents(path, at, NULL, NULL);
-    before = numbers(3, -1, 1);
-    after = numbers(3, -1, 1);
-    return v_path_set_tangents(path, at, before, after);
-}
-
 CALL(v_path_get_tangents)
 {
     const V_PATH *path = a_path();
@@ -586,44 +511,6 @@ CALL(v_ease)
     double rise = number(0, 0.5), fall = number(0, 0.5), t = number(0, 1);
     double *distance = result(sizeof *distance, 1);
     return v_ease(kind, rise, fall, t, distance, result(sizeof(double), 1));
-}
-
-CALL(v_tour_init)
-{
-    (v_tour_init)(result(sizeof(V_TOUR), 0));
-    return 0;
-}
-
-CALL(v_tour_init_sized)
-{
-    v_tour_init(result(sizeof(V_TOUR), 0));
-    return 0;
-}
-
-CALL(v_path_tour)
-{
-    static const unsigned corners[] = {0, 1, 2, 1, 2, 3};
-    V_TOUR tour;
-    const V_MESH *mesh = a_mesh();
-    V_MESH object;
-
-    if (mesh) {
-        memcpy(&object, mesh, sizeof object); /* it may lie anywhere */
-        object.triangles = corners;
-        object.corners = 6;
-        mesh = given("V_MESH", &object, sizeof object);
-    }
-    v_tour_init(&tour);
-    if (chance(wild)) {
-        frame->unfit = 1;
-        tour.size = below(100);
-    }
-    tour.seconds = number(20, 90);
-    tour.coverage = number(0.3, 1);
-    tour.inside = chance(10);
-    return v_path_tour(mesh,
-                       chance(20) ? NULL : given("V_TOUR", &tour, sizeof tour),
-                       result(sizeof(V_PATH *), 0), result(sizeof(double), 1));
 }
 
 CALL(v_path_set_up)

@@ -40,74 +40,6 @@ CALL(v_path_key)
     return 0;
 }
 
-CALL(v_path_set_number)
-{
-    V_PATH *path = a_path();
-    const char *name = a_property("fps");
-
-    return v_path_set_number(path, name, number(1, 100));
-}
-
-CALL(v_path_get_number)
-{
-    const V_PATH *path = a_path();
-    const char *name = a_property("fps");
-
-    return v_path_get_number(path, name, result(sizeof(double), 0));
-}
-
-CALL(v_path_set_numbers)
-{
-    V_PATH *path = a_path();
-    const char *name = a_property("point.2.tangents");
-
-    return v_path_set_numbers(path, name, numbers(6, -1, 1), 6);
-}
-
-CALL(v_path_get_numbers)
-{
-    const V_PATH *path = a_path();
-    const char *name = a_property("point.2.tangents");
-    double *values = result(6 * sizeof *values, 0);
-    size_t *count = result(sizeof *count, 0);
-
-    return too_small(v_path_get_numbers(path, name, values, 6, count), count, 6);
-}
-
-CALL(v_path_set_text)
-{
-    V_PATH *path = a_path();
-    const char *name = a_property("title");
-
-    return v_path_set_text(path, name, text(below(2) ? "Um den Turm" : ""));
-}
-
-CALL(v_path_get_text)
-{
-    const V_PATH *path = a_path();
-    const char *name = a_property("title");
-    char *value = result(100, 0);
-    size_t *length = result(sizeof *length, 0);
-
-    return too_small(v_path_get_text(path, name, value, 100, length), length, 100);
-}
-
-CALL(v_path_set_flag)
-{
-    V_PATH *path = a_path();
-    const char *name = a_property("closed");
-
-    return v_path_set_flag(path, name, whole(0, 1));
-}
-
-CALL(v_path_get_flag)
-{
-    const V_PATH *path = a_path();
-    const char *name = a_property("closed");
-
-    return v_path_get_flag(path, name, result(sizeof(int), 0));
-}
-
 CALL(v_scene_key)
 {
     int node = whole(0, 5);
@@ -116,70 +48,44 @@ CALL(v_scene_key)
     return 0;
 }
 
-CALL(v_scene_set_number)
-{
-    V_SCENE *scene = a_scene();
-    const char *name = a_property("check.turning");
+/* Getter and setter of a form: what is given, and room for what is returned. */
+#define ONE(kind, TYPE, form, fit, value, RESULT) \
+    CALL(v_##kind##_set_##form) \
+    { \
+        TYPE *it = a_##kind(); \
+        const char *name = a_property(fit); \
+        return v_##kind##_set_##form(it, name, value); \
+    } \
+    CALL(v_##kind##_get_##form) \
+    { \
+        const TYPE *it = a_##kind(); \
+        const char *name = a_property(fit); \
+        return v_##kind##_get_##form(it, name, result(sizeof(RESULT), 0)); \
+    }
 
-    return v_scene_set_number(scene, name, number(1, 100));
-}
+#define SEVERAL(kind, TYPE, form, fit, value, RESULT, room) \
+    CALL(v_##kind##_set_##form) \
+    { \
+        TYPE *it = a_##kind(); \
+        const char *name = a_property(fit); \
+        return v_##kind##_set_##form(it, name, value); \
+    } \
+    CALL(v_##kind##_get_##form) \
+    { \
+        const TYPE *it = a_##kind(); \
+        const char *name = a_property(fit); \
+        RESULT *values = result((room) * sizeof *values, 0); \
+        size_t *count = result(sizeof *count, 0); \
+        return too_small(v_##kind##_get_##form(it, name, values, room, count), count, room); \
+    }
 
-CALL(v_scene_get_number)
-{
-    const V_SCENE *scene = a_scene();
-    const char *name = a_property("check.turning");
+#define VALUES(width) numbers(width, -1, 1), width
 
-    return v_scene_get_number(scene, name, result(sizeof(double), 0));
-}
-
-CALL(v_scene_set_numbers)
-{
-    V_SCENE *scene = a_scene();
-    const char *name = a_property("node.2.position");
-
-    return v_scene_set_numbers(scene, name, numbers(3, -1, 1), 3);
-}
-
-CALL(v_scene_get_numbers)
-{
-    const V_SCENE *scene = a_scene();
-    const char *name = a_property("node.2.position");
-    double *values = result(3 * sizeof *values, 0);
-    size_t *count = result(sizeof *count, 0);
-
-    return too_small(v_scene_get_numbers(scene, name, values, 3, count), count, 3);
-}
-
-CALL(v_scene_set_text)
-{
-    V_SCENE *scene = a_scene();
-    const char *name = a_property("comment");
-
-    return v_scene_set_text(scene, name, text(below(2) ? "Um den Turm" : ""));
-}
-
-CALL(v_scene_get_text)
-{
-    const V_SCENE *scene = a_scene();
-    const char *name = a_property("comment");
-    char *value = result(100, 0);
-    size_t *length = result(sizeof *length, 0);
-
-    return too_small(v_scene_get_text(scene, name, value, 100, length), length, 100);
-}
-
-CALL(v_scene_set_flag)
-{
-    V_SCENE *scene = a_scene();
-    const char *name = a_property("node.2.visible");
-
-    return v_scene_set_flag(scene, name, whole(0, 1));
-}
-
-CALL(v_scene_get_flag)
-{
-    const V_SCENE *scene = a_scene();
-    const char *name = a_property("node.2.visible");
-
-    return v_scene_get_flag(scene, name, result(sizeof(int), 0));
-}
+ONE(path, V_PATH, number, "fps", number(1, 100), double)
+ONE(path, V_PATH, flag, "closed", whole(0, 1), int)
+SEVERAL(path, V_PATH, numbers, "point.2.tangents", VALUES(6), double, 6)
+SEVERAL(path, V_PATH, text, "title", text(below(2) ? "Um den Turm" : ""), char, 100)
+ONE(scene, V_SCENE, number, "check.turning", number(1, 100), double)
+ONE(scene, V_SCENE, flag, "node.2.visible", whole(0, 1), int)
+SEVERAL(scene, V_SCENE, numbers, "node.2.position", VALUES(3), double, 3)
+SEVERAL(scene, V_SCENE, text, "space.up", text(below(2) ? "y" : "z"), char, 100)

@@ -36,7 +36,7 @@ V_SCENE *a_scene(void)
     mesh.triangles = corners;
     mesh.corners = 6;
     v_scene_set_geometry(scene, 1, &mesh);
-    v_scene_add_shape(scene, 1, "flat", xyz, POINTS);
+    v_scene_add_shape(scene, 1, "flat", xyz, NULL, POINTS);
     v_scene_add_deformation(scene, 1, "twist", twist, 2, box, NULL);
     v_scene_set_track(scene, 1, "position", "linear", frames, way, NULL, 2, V_AFTER_HOLD);
     v_scene_set_marker(scene, "meet", 20);
@@ -207,12 +207,6 @@ CALL(v_scene_free)
     return 0;
 }
 
-CALL(v_scene_node_count)
-{
-    const V_SCENE *of = a_scene();
-    return v_scene_node_count(of, result(sizeof(int), 0));
-}
-
 CALL(v_scene_add_node)
 {
     V_SCENE *to = a_scene();
@@ -282,27 +276,13 @@ CALL(v_scene_get_path)
 {
     const V_SCENE *of = a_scene();
     int node = whole(0, 0);
-    V_PATH **path = result(sizeof *path, 0);
-    int status = v_scene_get_path(of, node, path);
+    V_PATH **path = result(sizeof *path, 1);
+    double *start = result(sizeof *start, 1);
+    int status = v_scene_get_path(of, node, path, start, result(sizeof(int), 1));
 
-    if (status == V_OK)
+    if (status == V_OK && path != NULL)
         frame->made_path = *path;
     return status;
-}
-
-CALL(v_scene_set_space)
-{
-    V_SCENE *of = a_scene();
-    const double *centre = numbers(3, -1, 1);
-    double half_size = number(0.5, 2);
-    return v_scene_set_space(of, centre, half_size, whole(V_UP_Y, V_UP_Z));
-}
-
-CALL(v_scene_get_space)
-{
-    const V_SCENE *of = a_scene();
-    double *centre = result(3 * sizeof(double), 1), *half_size = result(sizeof(double), 1);
-    return v_scene_get_space(of, centre, half_size, result(sizeof(int), 1));
 }
 
 CALL(v_scene_set_marker)
@@ -371,7 +351,10 @@ CALL(v_scene_add_shape)
     V_SCENE *of = a_scene();
     int node = whole(1, 1);
     const char *name = a_name();
-    return v_scene_add_shape(of, node, name, numbers(3 * POINTS, -1, 1), POINTS);
+    const double *xyz = numbers(3 * POINTS, -1, 1);
+    static const unsigned char grey[3 * POINTS] = {9, 9, 9};
+    const unsigned char *rgb = chance(50) ? NULL : given("rgb", grey, sizeof grey);
+    return v_scene_add_shape(of, node, name, xyz, rgb, POINTS);
 }
 
 /* A deformation of two numbers. */
@@ -456,7 +439,7 @@ CALL(v_scene_vertices)
     double at = number(-50, 500);
     double *xyz = result(3 * POINTS * sizeof *xyz, 1);
     size_t *points = result(sizeof *points, 1);
-    return too_small(v_scene_vertices(of, node, at, xyz, POINTS, points), points, POINTS);
+    return too_small(v_scene_vertices(of, node, at, xyz, result(3 * POINTS, 1), POINTS, points), points, POINTS);
 }
 
 /* NULL, or one that will do. */

@@ -1,5 +1,6 @@
 /* The functions of tools on paths: see every.h. */
 #include "functions.h"
+#include "scene_things.h"
 #include "things.h"
 
 static const char *one_of(const char *const *names, int count)
@@ -18,26 +19,6 @@ static int made(int status, V_PATH *const *path)
     return status;
 }
 
-CALL(v_path_from_move)
-{
-    static const char *const moves[] = {"orbit", "spiral", "arc", "flyby", "approach",
-                                        "dolly-zoom", "crane", "figure-eight"};
-    const char *name = one_of(moves, 8);
-    const double *parameters = numbers(3, -1, 1);
-    V_PATH **path = result(sizeof *path, 0);
-
-    return made(v_path_from_move(name, parameters, 3, path), path);
-}
-
-CALL(v_path_from_move_in_space)
-{
-    const double *parameters = numbers(3, -1, 1);
-    const V_SPACE *space = a_space();
-    V_PATH **path = result(sizeof *path, 0);
-
-    return made(v_path_from_move_in_space(text("orbit"), parameters, 3, space, path), path);
-}
-
 /* Two points in their order. */
 static int a_range(const V_PATH *path, int *last)
 {
@@ -52,13 +33,38 @@ static int a_range(const V_PATH *path, int *last)
     return first;
 }
 
+/* A tool with options; from "tour" on they may not do for the path or the object. */
+static const char *a_tool(const char **options)
+{
+    static const char *const tools[][2] = {
+        {"reverse", ""}, {"repeat", "times=2"}, {"move", "by=0.1,0,0\nwith_targets=yes"},
+        {"twist", "angle=9\nbox=-2,-2,-2,2,2,2"}, {"orbit", "turns=2\nput=append"},
+        {"crane", "end-height=0.7"}, {"pan", "zoom=30"}, {"steady", "period=0.5"},
+        {"tour", "seconds=30\nstart=2,2,2"}, {"retime", "seconds=9"}, {"fold", ""},
+        {"orbit", "turn=2"}, {"repeat", "times=0"}};
+    unsigned at = below(chance(wild) ? 13 : 8);
+
+    if (at >= 8)
+        frame->unfit = 1;
+    *options = below(2) ? NULL : text(tools[at][1]);
+    return chance(wild) ? one_of(&tools[at][0], 1) : text(tools[at][0]);
+}
+
 CALL(v_path_tool)
 {
-    static const char *const names[] = {"reverse", "repeat", "move", "turn"};
     V_PATH *path = a_path();
-    const char *name = one_of(names, 4);
+    const char *options, *name = a_tool(&options);
 
-    return v_path_tool(path, name, below(2) ? NULL : text(""), NULL);
+    return v_path_tool(path, name, options, chance(50) ? NULL : a_mesh());
+}
+
+CALL(v_scene_tool)
+{
+    V_SCENE *scene = a_scene();
+    int node = whole(0, 0);
+    const char *options, *name = a_tool(&options);
+
+    return v_scene_tool(scene, node, name, options, chance(50) ? NULL : a_mesh());
 }
 
 CALL(v_last_number)
@@ -76,21 +82,6 @@ CALL(v_path_transform)
     matrix[5] = number(0.5, 1);
     return v_path_transform(path, first, last, given("matrix", matrix, sizeof matrix),
                             whole(0, 1));
-}
-
-CALL(v_path_deform)
-{
-    static const char *const kinds[] = {"taper", "twist", "bend"};
-    V_PATH *path = a_path();
-    int last, first = a_range(path, &last);
-    const char *kind = one_of(kinds, 3);
-    double parameters[2] = {1, 0.5};
-    const double box[6] = {-2, -2, -2, 2, 2, 2};
-
-    parameters[1] = number(0.1, 2);
-    return v_path_deform(path, first, last, kind, given("parameters", parameters,
-        sizeof parameters),
-                         2, below(2) ? NULL : given("box", box, sizeof box), whole(0, 1));
 }
 
 CALL(v_path_extract)
@@ -155,32 +146,13 @@ CALL(v_set_progress)
 
 CALL(v_path_fit_poses)
 {
+    static const char *const fit[] = {"", "fps=30\ntolerance=0.05", "angle=1\nup=z",
+                                      "points=5\nrobust=yes", "space=0,0,0,4"};
     const V_POSE *poses = some_poses();
+    const char *options = chance(30) ? NULL : one_of(fit, 5);
     V_PATH **path = result(sizeof *path, 0);
 
-    return made(v_path_fit_poses(poses, NULL, 12, number(1, 100), number(0.01, 0.1),
-                                 number(0.1, 2), path), path);
-}
-
-CALL(v_path_fit_poses_in_space)
-{
-    const V_POSE *poses = some_poses();
-    const V_SPACE *space = a_space();
-    V_PATH **path = result(sizeof *path, 0);
-
-    return made(v_path_fit_poses_in_space(poses, NULL, 12, number(1, 100), number(0.01, 0.1),
-                                          number(0.1, 2), space, path), path);
-}
-
-CALL(v_path_fit_poses_robust)
-{
-    const V_POSE *poses = some_poses();
-    const V_SPACE *space = a_space();
-    size_t *left_out = result(sizeof *left_out, 1);
-    V_PATH **path = result(sizeof *path, 0);
-
-    return made(v_path_fit_poses_robust(poses, NULL, 12, number(1, 100), number(0.01, 0.1),
-                                        number(0.1, 2), space, left_out, path), path);
+    return made(v_path_fit_poses(poses, NULL, 12, options, path), path);
 }
 
 CALL(v_path_check)

@@ -33,8 +33,6 @@
     F(v_path_insert_point, STATUS, V_OK, 0) \
     F(v_path_divide_segment, STATUS, V_OK, 0) \
     F(v_path_remove_point, STATUS, V_OK, 0) \
-    F(v_path_set_position, STATUS, V_OK, 0) \
-    F(v_path_get_position, STATUS, V_OK, 0) \
     F(v_path_move_point, STATUS, V_OK, 0) \
     F(v_orientation_init, NOTHING, V_OK, 0) \
     F(v_path_orientation_count, STATUS, V_OK, 0) \
@@ -54,37 +52,25 @@
     F(v_path_get_text, STATUS, V_OK, 0) \
     F(v_path_set_flag, STATUS, V_OK, 0) \
     F(v_path_get_flag, STATUS, V_OK, 0) \
-    F(v_path_set_space, STATUS, V_OK, 0) \
-    F(v_path_get_space, STATUS, V_OK, 0) \
-    F(v_space_init, NOTHING, V_OK, 0) \
-    F(v_space_init_sized, NOTHING, V_OK, 0) \
     F(v_path_new_in_space, STATUS, V_OK, 0) \
     F(v_path_change_up, STATUS, V_OK, 0) \
     F(v_orientation_from_pose, STATUS, V_OK, 0) \
     F(v_path_set_object, STATUS, V_OK, 0) \
     F(v_path_get_object, STATUS, V_OK, 0) \
-    F(v_path_set_tangents, STATUS, V_OK, 0) \
     F(v_path_get_tangents, STATUS, V_OK, 0) \
     F(v_path_insert_on_curve, STATUS, -2, 0) \
     F(v_ease, STATUS, V_OK, 0) \
-    F(v_tour_init, NOTHING, V_OK, 0) \
-    F(v_tour_init_sized, NOTHING, V_OK, 0) \
-    F(v_path_tour, STATUS, -2, 0) \
     F(v_path_set_up, STATUS, V_OK, 0) \
     F(v_path_get_up, STATUS, V_OK, 0) \
-    F(v_path_from_move, STATUS, V_OK, 0) \
-    F(v_path_from_move_in_space, STATUS, V_OK, 0) \
     F(v_path_tool, STATUS, V_OK, 0) \
+    F(v_scene_tool, STATUS, V_OK, 0) \
     F(v_last_number, STATUS, -2, 0) \
     F(v_path_transform, STATUS, -2, 0) \
-    F(v_path_deform, STATUS, -2, 0) \
     F(v_path_extract, STATUS, V_OK, 0) \
     F(v_path_insert_path, STATUS, -2, 0) \
     F(v_path_blend, STATUS, -2, 0) \
     F(v_set_progress, STATUS, V_OK, 0) \
     F(v_path_fit_poses, STATUS, V_OK, 0) \
-    F(v_path_fit_poses_in_space, STATUS, V_OK, 0) \
-    F(v_path_fit_poses_robust, STATUS, V_OK, 0) \
     F(v_path_check, STATUS, V_OK, 0) \
     F(v_path_length, STATUS, V_OK, 0) \
     F(v_path_segment_length, STATUS, V_OK, 0) \
@@ -111,7 +97,7 @@
     F(v_scene_save, STATUS, V_OK, 0) \
     F(v_scene_clone, STATUS, V_OK, 0) \
     F(v_scene_free, NOTHING, V_OK, 0) \
-    F(v_scene_node_count, STATUS, V_OK, 0) \
+    F(v_scene_count, STATUS, V_OK, 0) \
     F(v_scene_add_node, STATUS, V_OK, 0) \
     F(v_scene_remove_node, STATUS, V_OK, 0) \
     F(v_scene_find_node, STATUS, V_OK, 0) \
@@ -123,8 +109,6 @@
     F(v_scene_get_path, STATUS, V_OK, 0) \
     F(v_scene_set_marker, STATUS, V_OK, 0) \
     F(v_scene_pin, STATUS, V_OK, 0) \
-    F(v_scene_set_space, STATUS, V_OK, 0) \
-    F(v_scene_get_space, STATUS, V_OK, 0) \
     F(v_scene_key, NOTHING, V_OK, 0) \
     F(v_scene_set_number, STATUS, V_OK, 0) \
     F(v_scene_get_number, STATUS, V_OK, 0) \
@@ -147,19 +131,13 @@
     F(v_scene_add_deformation, STATUS, V_OK, 0) \
     F(v_scene_remove_deformation, STATUS, V_OK, 0) \
     F(v_deform, STATUS, V_OK, 0) \
-    F(v_scene_get_start, STATUS, V_OK, 0) \
-    F(v_scene_track_count, STATUS, V_OK, 0) \
     F(v_scene_get_channel, STATUS, V_OK, 0) \
-    F(v_scene_marker_count, STATUS, V_OK, 0) \
     F(v_scene_get_marker, STATUS, V_OK, 0) \
     F(v_scene_remove_marker, STATUS, V_OK, 0) \
-    F(v_scene_pin_count, STATUS, V_OK, 0) \
     F(v_scene_get_pin, STATUS, V_OK, 0) \
     F(v_scene_get_geometry, STATUS, V_OK, 0) \
-    F(v_scene_shape_count, STATUS, V_OK, 0) \
     F(v_scene_get_shape, STATUS, V_OK, 0) \
     F(v_scene_remove_shape, STATUS, V_OK, 0) \
-    F(v_scene_deformation_count, STATUS, V_OK, 0) \
     F(v_scene_get_deformation, STATUS, V_OK, 0) \
     F(v_scene_frame_range, STATUS, V_OK, 0) \
     F(v_scene_evaluate, STATUS, V_OK, 0) \
@@ -202,7 +180,6 @@
     F(v_speed_curve, STATUS, V_OK, 0) \
     F(v_view_matrix, STATUS, V_OK, 0) \
     F(v_view_from_pose, STATUS, V_OK, 0) \
-    F(v_pose_gl_matrix, STATUS, V_OK, 0) \
     F(v_fov_from_zoom, NOTHING, V_OK, 0) \
     F(v_zoom_from_fov, NOTHING, V_OK, 0) \
     F(v_pose_matrix, STATUS, V_OK, 0) \

@@ -57,8 +57,7 @@ static int holds_a_path(const struct function *function)
     return strcmp(name, "v_editor_set_path") == 0 || strcmp(name, "v_editor_set_scene") == 0
            || (strncmp(name, "v_path_", 7) == 0 && strncmp(name, "v_path_new", 10) != 0
                && strcmp(name, "v_path_free") != 0 && strcmp(name, "v_path_key") != 0
-               && strncmp(name, "v_path_from_move", 16) != 0
-               && strncmp(name, "v_path_fit_poses", 16) != 0 && strcmp(name, "v_path_tour") != 0
+               && strcmp(name, "v_path_fit_poses") != 0
                && strncmp(name, "v_path_load", 11) != 0);
 }
 
@@ -127,7 +126,7 @@ static void spoiled_path(void)
     if (v_path_new(&path) != V_OK || v_path_new(&other) != V_OK)
         fault("v_path_new: %s", v_last_error());
     v_test_panic(PATH, 0);
-    if (v_path_set_position(path, 0, place) != V_ERR_INTERNAL)
+    if (v_path_set_numbers(path, "point.1.position", place, 3) != V_ERR_INTERNAL)
         fault("no panic while a path is changed");
     if (v_path_length(path, &length) != V_ERR_INTERNAL || v_path_length(other, &length) != V_OK)
         fault("a spoiled path is used, or another is not");

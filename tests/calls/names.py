@@ -92,7 +92,7 @@ def a_scene():
                                      ctypes.c_size_t(2), pointer(doubles(-1, -1, -1, 1, 1, 1)), None]),
         ("v_scene_set_marker", [pointer(block(b"meet")), ctypes.c_double(20)]),
         ("v_scene_pin", [0, 1, pointer(block(b"meet"))]),
-        ("v_scene_add_shape", [1, pointer(block(b"flat")), pointer(doubles(*range(12))), ctypes.c_size_t(4)]),
+        ("v_scene_add_shape", [1, pointer(block(b"flat")), pointer(doubles(*range(12))), None, ctypes.c_size_t(4)]),
         ("v_scene_set_track", [1, pointer(block(b"position")), pointer(block(b"linear")), pointer(doubles(1, 11)),
                                pointer(doubles(*range(6))), None, ctypes.c_size_t(2), 0]),
     ]:
@@ -102,9 +102,7 @@ def a_scene():
 
 
 def with_size(kind):
-    init = {"V_ORIENTATION": "v_orientation_init", "V_EDITOR_OPTIONS": "v_editor_options_init",
-            "V_SPACE": "v_space_init",
-            "V_TOUR": "v_tour_init"}
+    init = {"V_ORIENTATION": "v_orientation_init", "V_EDITOR_OPTIONS": "v_editor_options_init"}
     if kind == "V_MESH":
         return a_mesh()
     if kind == "V_NODE":
@@ -121,8 +119,7 @@ def with_size(kind):
     return room
 
 
-SIZED = ("V_ORIENTATION", "V_MESH", "V_NODE", "V_VIEW", "V_SPACE", "V_MOTION", "V_EDITOR_OPTIONS",
-         "V_TOUR", "V_PROPERTY")
+SIZED = ("V_ORIENTATION", "V_MESH", "V_NODE", "V_VIEW", "V_MOTION", "V_EDITOR_OPTIONS", "V_PROPERTY")
 window = []
 
 
@@ -159,18 +156,14 @@ def fit(function, kind, name):
 
 INTS = {"last_point": 1, "up": 1, "count": 2, "points": 1, "node": 1, ("v_path_extract", "last_point"): 2,
         ("v_path_remove_orientation", "at"): 1, ("v_scene_set_path", "node"): 0,
-        ("v_scene_get_path", "node"): 0, ("v_scene_pin", "node"): 0, ("v_scene_set_camera", "node"): 0,
-        ("v_scene_get_start", "node"): 0}
+        ("v_scene_get_path", "node"): 0, ("v_scene_pin", "node"): 0, ("v_scene_set_camera", "node"): 0, ("v_scene_tool", "node"): 0}
 SIZES = {"capacity": 50000, "count": 2, "keys": 2, "points": 4, "size": len(VID), "first": 1,
          "frames": 500, ("v_path_fit_poses", "count"): 12,
          ("v_path_set_numbers", "count"): 6, ("v_scene_set_numbers", "count"): 3,
-         ("v_path_fit_poses_in_space", "count"): 12, ("v_path_fit_poses_robust", "count"): 12,
-         ("v_space_init_sized", "size"): 48, 
-         ("v_tour_init_sized", "size"): 72,
          ("v_editor_options_init_sized", "size"): 1000}
 DOUBLES = {"fps": 25.0, "value": 25.0, "frame": 2.5, "back": 10.0, "rise": 0.2, "fall": 0.2, "s": 0.1,
            "tolerance": 0.01, "half_size": 1.0, "far_plane": 10.0}
-TEXTS = {"format": "csv", "options": "as=keys", ("v_scene_import", "file"): folder + "/a.csv", ("v_scene_export", "file"): folder + "/written.csv", "channel": "position", "interpolation": "hermite", "kind": "twist", "move": "orbit", "tool": "repeat", ("v_path_tool", "options"): "times=2", ("v_last_number", "name"): "seconds", "up": "point",
+TEXTS = {"format": "csv", "options": "as=keys", ("v_scene_import", "file"): folder + "/a.csv", ("v_scene_export", "file"): folder + "/written.csv", "channel": "position", "interpolation": "hermite", "kind": "twist", "tool": "repeat", ("v_path_tool", "options"): "times=2", ("v_scene_tool", "options"): "times=2", ("v_path_fit_poses", "options"): "robust=yes", "what": "tracks", ("v_last_number", "name"): "seconds", "up": "point",
          "marker": "meet", "text": VID, "name": "wheel", ("v_scene_find_node", "name"): "sheet",
          ("v_scene_remove_marker", "name"): "meet", "file": folder + "/written",
          **{("v_%s_%s_%s" % key, "name"): name for key, name in {
@@ -188,7 +181,7 @@ ARRAYS = {"keys": [1, 0, 0, 0, 0, 1, 0, 0], "key_times": [0, 1], "tcb": [0] * 6,
           "matrix": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0.1, 0, 0, 1],
           "box": [-2, -2, -2, 2, 2, 2], "speed": [50] * 10, "before": [50] * 3, "after": [50] * 3,
           "vpn": [0, 0, 1], "vup": [0, 1, 0], "parameters": [0, 30], "up_point": [2, 3, 2],
-          "frames": [1, 11], "m": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0.1, 0, 0, 1], ("v_path_from_move", "parameters"): [0.1] * 3}
+          "frames": [1, 11], "m": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0.1, 0, 0, 1]}
 
 # Numbers of things, and those that choose one of a few.
 NUMBERS = ("at", "point", "node", "segment", "section", "orientation", "first_point", "last_point", "preset",

@@ -41,8 +41,6 @@ V_KAMERAPAR *a_list(void);
 /* A camera. */
 const V_POSE *a_pose(void);
 
-/* A space, or none, which is as good. */
-const V_SPACE *a_space(void);
 /* A mesh of a few points. */
 const V_MESH *a_mesh(void);
 

@@ -51,11 +51,7 @@ EVENTS = ["pause", "gap", "cut", "outliers"]
 doubles = np.ctypeslib.ndpointer(dtype=np.float64, flags="C")
 pointer = ctypes.c_void_p
 library.v_last_error.restype = library.v_last_warning.restype = ctypes.c_char_p
-number = ctypes.c_double
-library.v_path_fit_poses.argtypes = [doubles, doubles, ctypes.c_size_t, number, number, number, pointer]
-library.v_path_fit_poses_robust.argtypes = [
-    doubles, doubles, ctypes.c_size_t, number, number, number, pointer, pointer, pointer,
-]
+library.v_path_fit_poses.argtypes = [doubles, doubles, ctypes.c_size_t, ctypes.c_char_p, pointer]
 library.v_path_poses_at.argtypes = [pointer, doubles, ctypes.c_size_t, doubles]
 library.v_path_point_count.argtypes = library.v_path_frame_count.argtypes = [pointer, pointer]
 library.v_path_free.argtypes = [pointer]
@@ -66,11 +62,8 @@ class Path:
 
     def __init__(self, poses, seconds, fps, length, degrees, robust=False):
         made = ctypes.c_void_p()
-        given = [poses, seconds, len(poses), fps, length, degrees]
-        if robust:
-            status = library.v_path_fit_poses_robust(*given, None, None, ctypes.byref(made))
-        else:
-            status = library.v_path_fit_poses(*given, ctypes.byref(made))
+        options = f"fps={float(fps)!r}\ntolerance={float(length)!r}\nangle={float(degrees)!r}\nrobust={'yes' if robust else 'no'}"
+        status = library.v_path_fit_poses(poses, seconds, len(poses), options.encode(), ctypes.byref(made))
         if status:
             raise ValueError(library.v_last_error().decode())
         self.report = library.v_last_warning().decode()

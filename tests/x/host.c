@@ -215,6 +215,7 @@ static void print_path(int which)
 {
     V_PATH *path;
     double xyz[3];
+    size_t three;
     char line[4000];
     int count, i, status;
     size_t length = 0;
@@ -226,7 +227,7 @@ static void print_path(int which)
     }
     v_path_point_count(path, &count);
     for (i = 0; i < count && length < sizeof line - 300; i++) {
-        v_path_get_position(path, i, xyz);
+        v_path_get_numbers(path, v_path_key(i, -1, "position"), xyz, 3, &three);
         length += (size_t)sprintf(line + length, " %.17g %.17g %.17g", xyz[0], xyz[1], xyz[2]);
     }
     v_path_free(path);

@@ -133,13 +133,14 @@ static void points(void)
 {
     V_PATH *path;
     double xyz[3];
+    size_t three;
     int count = 0, i;
     char line[3000] = "";
 
     if (v_editor_get_path(editor, &path) == V_OK) {
         v_path_point_count(path, &count);
         for (i = 0; i < count && i < 40; i++) {
-            v_path_get_position(path, i, xyz);
+            v_path_get_numbers(path, v_path_key(i, -1, "position"), xyz, 3, &three);
             sprintf(line + strlen(line), " %.17g %.17g %.17g", xyz[0], xyz[1], xyz[2]);
         }
         v_path_free(path);

@@ -68,7 +68,7 @@ static void tell(V_EDITOR *editor)
     int count = 0, k;
 
     ok(v_editor_get_scene(editor, &scene), "get_scene");
-    ok(v_scene_node_count(scene, &count), "count");
+    ok(v_scene_count(scene, 0, "nodes", &count), "count");
     printf("nodes");
     for (k = 0; k < count; k++) {
         const char *name = "";

@@ -25,9 +25,17 @@ static void is(const char *what, double centre, double half, int up, const V_PAT
                const V_SCENE *scene)
 {
     double c[2][3], h[2];
+    char axis[2][2];
     int u[2];
-    ok(v_path_get_space(path, c[0], &h[0], &u[0]), what);
-    ok(v_scene_get_space(scene, c[1], &h[1], &u[1]), what);
+    size_t n;
+    ok(v_path_get_numbers(path, "space.centre", c[0], 3, &n), what);
+    ok(v_path_get_number(path, "space.half_size", &h[0]), what);
+    ok(v_path_get_text(path, "space.up", axis[0], 2, &n), what);
+    ok(v_scene_get_numbers(scene, "space.centre", c[1], 3, &n), what);
+    ok(v_scene_get_number(scene, "space.half_size", &h[1]), what);
+    ok(v_scene_get_text(scene, "space.up", axis[1], 2, &n), what);
+    u[0] = axis[0][0] == 'z' ? V_UP_Z : V_UP_Y;
+    u[1] = axis[1][0] == 'z' ? V_UP_Z : V_UP_Y;
     printf("%s: path %g %g %d, scene %g %g %d\n", what, c[0][0], h[0], u[0], c[1][0], h[1], u[1]);
     if (c[0][0] != centre || h[0] != half || u[0] != up || c[1][0] != centre || h[1] != half
         || u[1] != up)
@@ -76,7 +84,7 @@ static double first_z(const V_EDITOR *editor)
 }
 
 /* A scene of two nodes, of which one is a camera on a path. */
-static V_SCENE *two(const V_SPACE *space)
+static V_SCENE *two(const double centre[3], double half_size, int up)
 {
     V_SCENE *scene = NULL;
     V_PATH *path = NULL;
@@ -84,8 +92,10 @@ static V_SCENE *two(const V_SPACE *space)
     ok(v_scene_new(&scene), "scene");
     v_node_init(&node, V_NODE_OBJECT);
     ok(v_scene_add_node(scene, "car", &node, NULL), "node");
-    ok(v_path_new_in_space(space, &path), "path");
-    ok(v_scene_set_space(scene, space->centre, space->half_size, space->up), "space");
+    ok(v_path_new_in_space(centre, half_size, up, &path), "path");
+    ok(v_scene_set_number(scene, "space.half_size", half_size), "half_size");
+    ok(v_scene_set_numbers(scene, "space.centre", centre, 3), "centre");
+    ok(v_scene_set_text(scene, "space.up", up == V_UP_Z ? "z" : "y"), "up");
     ok(v_scene_set_path(scene, 0, path, 1, V_AFTER_HOLD), "set_path");
     v_path_free(path);
     return scene;
@@ -97,16 +107,11 @@ int main(int argc, char **argv)
     char file[4096];
     V_EDITOR_OPTIONS options;
     V_EDITOR *editor, *first;
-    V_SPACE metres, plain;
+    static const double metres[3] = {100, 0, 0}, plain[3] = {0, 0, 0};
     V_SCENE *scene;
     V_PATH *path;
     int k;
 
-    v_space_init(&plain);
-    v_space_init(&metres);
-    metres.centre[0] = 100;
-    metres.half_size = 50;
-    metres.up = V_UP_Z;
     first = opened(NULL, "first"); /* so that the server always has a client */
     for (k = V_UP_Y; k <= V_UP_Z; k++) {
         v_editor_options_init(&options);
@@ -118,24 +123,24 @@ int main(int argc, char **argv)
         v_editor_close(editor);
     }
     /* A path of its own space, which V_UP_Y does not touch. */
-    ok(v_path_new_in_space(&metres, &path), "path");
+    ok(v_path_new_in_space(metres, 50, V_UP_Z, &path), "path");
     v_editor_options_init(&options);
     options.path = path;
     editor = opened(&options, "path");
     holds(editor, folder, "z-up path", 100, 50, V_UP_Z);
     v_path_free(path);
     /* Another path and another scene bring theirs. */
-    ok(v_path_new_in_space(&plain, &path), "path");
+    ok(v_path_new_in_space(plain, 1, V_UP_Y, &path), "path");
     ok(v_editor_set_path(editor, path), "set_path");
     holds(editor, folder, "y-up path set", 0, 1, V_UP_Y);
     v_path_free(path);
-    scene = two(&metres);
+    scene = two(metres, 50, V_UP_Z);
     ok(v_editor_set_scene(editor, scene), "set_scene");
     holds(editor, folder, "z-up scene set", 100, 50, V_UP_Z);
     v_editor_close(editor);
     /* The space given for a file with a scene is that of scene and path. */
     v_scene_free(scene);
-    scene = two(&plain);
+    scene = two(plain, 1, V_UP_Y);
     sprintf(file, "%.4000s/scene.vid", folder);
     ok(v_scene_save(scene, file), "save");
     v_scene_free(scene);
@@ -151,7 +156,7 @@ int main(int argc, char **argv)
     options.file = NULL;
     editor = opened(&options, "new in metres");
     holds(editor, folder, "new in metres", 100, 50, V_UP_Z);
-    scene = two(&metres);
+    scene = two(metres, 50, V_UP_Z);
     ok(v_editor_set_scene(editor, scene), "set_scene");
     holds(editor, folder, "scene in metres set", 100, 50, V_UP_Z);
     v_scene_free(scene);

@@ -85,7 +85,7 @@ static int alter(V_EDITOR *editor, double x)
 
     xyz[0] = x;
     if (status == V_OK) {
-        v_path_set_position(path, 0, xyz);
+        v_path_set_numbers(path, "point.1.position", xyz, 3);
         status = v_editor_set_path(editor, path);
         v_path_free(path);
     }

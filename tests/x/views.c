@@ -50,7 +50,7 @@ static double seen(const V_POSE *pose, const double place[3])
 {
     double m[16], eye[3];
     int row;
-    check(v_pose_gl_matrix(pose, m) == V_OK, "matrix");
+    check(v_pose_matrix(pose, V_AXES_OPENGL, 0, m) == V_OK, "matrix");
     for (row = 0; row < 3; row++)
         eye[row] = m[row] * place[0] + m[4 + row] * place[1] + m[8 + row] * place[2] + m[12 + row];
     if (eye[2] >= 0)

@@ -1,11 +1,13 @@
 //! The document as a scene: what of it is edited, and when the path is shown.
 
+use std::sync::Arc;
+
 use vides_engine::scene::Scene;
 
-use super::edited_scene::EditedScene;
+use super::edited_scene::{self, EditedScene};
 use super::editing::Document;
 use super::scene::SceneDocument;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use vides_engine::path::fit_frames::frames_between;
 
 impl Document {
@@ -76,5 +78,26 @@ impl Document {
     #[must_use]
     pub fn frame_of_path(&self, frame: f64) -> f64 {
         frame - self.start_frame() + 1.0
+    }
+}
+
+impl SceneDocument {
+    /// Edits the path of a node in its scene, as the window does: pins hold. Atomic.
+    ///
+    /// # Errors
+    /// `ErrorKind::Range` if there is no such node, `ErrorKind::Argument` if it follows no path;
+    /// those of `work`; `ErrorKind::Limit`, `ErrorKind::Memory`.
+    pub fn edit_path<R, E: From<Error>>(
+        &mut self,
+        node: usize,
+        work: impl FnOnce(&mut Document) -> Result<R, E>,
+    ) -> Result<R, E> {
+        let (edited, path) = edited_scene::edit(self.scene.clone(), Some(node))?;
+        let document = Document::from_parts(path, self.info.try_clone().map_err(Error::from)?)?;
+        let mut document = document.without_history();
+        document.content.scene = Some(Arc::new(edited));
+        let made = work(&mut document)?;
+        self.scene = document.scene()?;
+        Ok(made)
     }
 }

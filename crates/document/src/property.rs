@@ -16,11 +16,12 @@ use crate::error::{EngineError, Error, Invalid, Malformed, Refused, Result};
 use crate::info::{Info, Object, check_comment};
 use crate::named::{keys, no_property};
 use crate::set;
+use crate::space_table::SpaceTable;
 use crate::typed::{self, Form, Given};
 use crate::vid::{self, PATH_KEYS, point_keys, quoted, view_keys};
 use vides_engine::path::camera_path::check_name;
 use vides_engine::path::{
-    BaseFrames, CameraPath, Orientation, OrientationOverrides, SupportPoint, Tcb,
+    BaseFrames, CameraPath, Orientation, OrientationOverrides, Space, SupportPoint, Tcb,
 };
 
 /// What is known of all properties, key by key in the order of files.
@@ -39,6 +40,7 @@ pub fn properties() -> Vec<Listed> {
 /// What a name leads to; it exists.
 pub(super) enum Place<'a> {
     Path(&'a str),
+    Space(&'static str),
     Limit(FindingKind),
     Point(usize, &'static str),
     View(Selection, &'static str),
@@ -46,6 +48,10 @@ pub(super) enum Place<'a> {
 }
 
 impl Place<'_> {
+    pub(super) const fn is_space(&self) -> bool {
+        matches!(self, Self::Space(_))
+    }
+
     /// The finding of which it is a limit.
     pub(super) const fn limit(&self) -> Option<FindingKind> {
         match self {
@@ -67,6 +73,7 @@ fn full(mut known: impl Iterator<Item = &'static str>, key: &str) -> Option<&'st
 /// What has properties: a path alone, a path in its scene, or a scene alone.
 pub(super) struct Owners<'a> {
     pub(super) path: Option<&'a CameraPath>,
+    pub(super) space: Space,
     pub(super) info: &'a Info,
     pub(super) nodes: &'a SharedList<Node>,
 }
@@ -81,6 +88,11 @@ impl Owners<'_> {
             let none = |_| no_property(name, FindingKind::all().map(FindingKind::name));
             return Ok(Place::Limit(FindingKind::parse(kind).map_err(none)?));
         }
+        if let Some(key) = name.strip_prefix("space.") {
+            let known = keys::<SpaceTable>().find(|known| *known == key);
+            let none = || no_property(name, keys::<SpaceTable>());
+            return Ok(Place::Space(known.ok_or_else(none)?));
+        }
         let known = |key: &str| match self.path {
             Some(_) => PATH_KEYS.contains(&key),
             None => find(Info::PROPERTIES, key).is_some(),
@@ -90,7 +102,7 @@ impl Owners<'_> {
             _ if known(name.split('.').next().unwrap_or(name)) => Ok(Place::Path(name)),
             (path, _) => {
                 let own = PATH_KEYS.iter().copied().filter(|&key| known(key));
-                let others = ["check.NAME", "node.N."].into_iter();
+                let others = ["space.NAME", "check.NAME", "node.N."].into_iter();
                 let points = path.map(|_| "point.N.").into_iter();
                 Err(no_property(name, own.chain(points).chain(others)))
             }
@@ -127,6 +139,10 @@ impl Owners<'_> {
                 (At::Path, read_value(key, given, self.info)?)
             }
             Place::Path(key) => (At::Path, read_value(key, given, self.path()?)?),
+            Place::Space(key) => (
+                At::Path,
+                read_value(key, given, &SpaceTable::from(self.space))?,
+            ),
             Place::Point(at, key) => {
                 let point = set::point(self.path()?, at)?;
                 (At::Point(at), read_value(key, given, point)?)
@@ -143,7 +159,10 @@ impl Owners<'_> {
                 };
                 (At::View(point, orientation), read)
             }
-            Place::Limit(kind) => (At::Path, (kind.name(), read_limit(kind, given)?.into())),
+            Place::Limit(kind) => {
+                let limit = read_limit(kind, given, self.space)?;
+                (At::Path, (kind.name(), limit.into()))
+            }
         };
         Ok((at, property, value))
     }
@@ -151,7 +170,11 @@ impl Owners<'_> {
     /// The kind and the value of a property.
     fn value(&self, name: &str) -> Result<(Kind, Value)> {
         Ok(match self.place(name)? {
-            Place::Limit(kind) => (Kind::Number, self.info.limits.get(kind).into()),
+            Place::Limit(kind) => {
+                let limit = self.info.limits.get(kind) * limit_scale(kind, self.space);
+                (Kind::Number, limit.into())
+            }
+            Place::Space(key) => of(&SpaceTable::from(self.space), key),
             Place::Node(at, key) => of(&self.nodes[at].rest, key),
             Place::Point(at, key) => of(set::point(self.path()?, at)?, key),
             Place::View(at, key) => {
@@ -277,7 +300,12 @@ impl Document {
                     other => format!("{}.", other.trim_end_matches(']')),
                 };
             } else if let Some((key, value)) = line.split_once(" = ") {
-                all.push((format!("{table}{key}"), value.to_owned()));
+                let name = format!("{table}{key}");
+                let value = match table == "check." {
+                    true => self.property(&name)?,
+                    false => value.to_owned(),
+                };
+                all.push((name, value));
             }
         }
         for node in self.nodes() {
@@ -304,16 +332,27 @@ fn of<T: Table>(has: &T, key: &str) -> (Kind, Value) {
     })
 }
 
+/// By what a limit of a check, or what it finds, is multiplied to be in the lengths of the world: the
+/// engine and files count them in half sizes of the space.
+#[must_use]
+pub fn limit_scale(kind: FindingKind, space: Space) -> f64 {
+    match kind.unit().starts_with("half sizes") {
+        true => space.half_size,
+        false => 1.0,
+    }
+}
+
 /// Reads a limit: a number, or "off"; nothing is the default.
-fn read_limit(kind: FindingKind, given: Given<'_>) -> Result<f64> {
+fn read_limit(kind: FindingKind, given: Given<'_>, space: Space) -> Result<f64> {
+    let scale = limit_scale(kind, space);
     match given {
-        Given::Number(limit) => Ok(limit),
+        Given::Number(limit) => Ok(limit / scale),
         Given::File(text) | Given::Text(text) => match text.trim() {
             "" => Ok(kind.limit().default),
             "off" | "\"off\"" => Ok(OFF),
             other => {
                 let none = |_| typed::other_form(Form::Number, Form::Text);
-                other.parse().map_err(none)
+                Ok(other.parse::<f64>().map_err(none)? / scale)
             }
         },
         other => Err(typed::other_form(Form::Number, other.form())),

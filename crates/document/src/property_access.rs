@@ -11,6 +11,7 @@ use crate::info::Info;
 use crate::property::{Owners, told};
 use crate::scene::SceneDocument;
 use crate::set;
+use crate::space_table;
 use crate::typed::{self, Form, Given};
 
 /// What gets properties by name: a path, a path in its scene, a scene.
@@ -70,6 +71,7 @@ impl SceneDocument {
     fn owners(&self) -> Owners<'_> {
         Owners {
             path: None,
+            space: self.scene.space(),
             info: &self.info,
             nodes: self.scene.nodes(),
         }
@@ -82,10 +84,16 @@ impl SceneDocument {
     pub fn set_value(&mut self, name: &str, given: Given<'_>) -> Result<()> {
         let owners = self.owners();
         let place = owners.place(name)?;
-        let limit = place.limit();
+        let (limit, is_space) = (place.limit(), place.is_space());
         let (at, property, mut value) = owners
             .read(place, given)
             .map_err(|error| told(name, error))?;
+        if is_space {
+            let space = space_table::changed(self.scene.space(), property, value)?;
+            let set = self.info.check(space);
+            let set = set.and_then(|()| self.scene.set_space(space));
+            return set.map_err(|error| told(name, error.into()));
+        }
         if let At::Node(node) = at {
             let mut rest = Box::new(Rest::of(self.scene.node(node)?));
             set::exchange(&mut rest.values, property, &mut value, &Values::NEW)?;
@@ -113,6 +121,7 @@ impl Document {
     fn owners(&self) -> Owners<'_> {
         Owners {
             path: Some(self.path()),
+            space: self.path().space,
             info: self.info(),
             nodes: self.nodes(),
         }
@@ -135,7 +144,7 @@ impl Document {
     pub fn set_value(&mut self, name: &str, given: Given<'_>) -> Result<()> {
         let owners = self.owners();
         let place = owners.place(name)?;
-        let limit = place.limit();
+        let (limit, is_space) = (place.limit(), place.is_space());
         let read = owners.read(place, given);
         let (at, property, value) = read.map_err(|error| told(name, error))?;
         let edit = match limit {
@@ -145,6 +154,10 @@ impl Document {
                 set.map_err(|error| told(name, error.into()))?;
                 Edit::SetInfo(Box::new(info))
             }
+            None if is_space => Edit::SetSpace {
+                space: space_table::changed(self.path().space, property, value)?,
+                fit: false,
+            },
             None => Edit::set(at, property, value),
         };
         self.apply(edit).map_err(|error| told(name, error))

@@ -12,9 +12,10 @@ use std::sync::Arc;
 use glam::{DQuat, DVec3};
 use vides_engine::deform::{Bounds, Deformation, identity_lattice};
 use vides_engine::planner::{
-    AvoidRequest, AvoidedPart, Request, Rest, SteadyRequest, TourRequest, What, avoid_object,
+    AvoidRequest, AvoidedPart, Request, Rest, SteadyRequest, Tour, TourRequest, What, avoid_object,
     retime, steady, tour,
 };
+use vides_engine::scene::Mesh;
 use vides_engine::tools::blend::blend;
 use vides_engine::tools::block::{self, Fit};
 use vides_engine::tools::check::{FindingKind, OFF};
@@ -34,7 +35,8 @@ pub use crate::cage::Cage;
 use crate::error::{EngineError, Error, Invalid, OutOfRange, Result};
 use arguments::{ToolArguments, chosen};
 pub use moved::moved;
-use table::{ABOUT, AXIS, FIRST, LAST, PUT, SEEN, TOOLS};
+pub use options::ToolOptions;
+use table::{ABOUT, AXIS, FIRST, LAST, OF_DEFORM, OF_FIT, OF_TOUR, PUT, SEEN, TOOLS};
 use vides_engine::path::fit_frames::frames_of;
 use vides_engine::path::{CameraPath, Pose, Space, Target, Up};
 
@@ -70,6 +72,8 @@ pub enum ToolInput {
     Stroke(Vec<DVec3>),
     /// The object of the document, prepared.
     Object(Arc<Clearance>),
+    /// An object to show in place of the document's own, and where the flight begins.
+    Tour(Option<Box<Mesh>>, Option<DVec3>),
 }
 
 impl ToolInput {
@@ -96,7 +100,7 @@ pub struct Made {
 }
 
 /// What a tool did, as a sentence.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug)]
 pub enum Line {
     /// A part that leads another way.
     Avoided(AvoidedPart),
@@ -104,6 +108,8 @@ pub enum Line {
     Rest(Rest),
     /// How far a position moved, and by how many degrees a view turned, at most.
     Steadied(f64, f64),
+    /// What a flight shows of an object.
+    Tour(Box<Tour>),
 }
 
 impl fmt::Display for Line {
@@ -111,6 +117,7 @@ impl fmt::Display for Line {
         match self {
             Self::Avoided(part) => part.fmt(f),
             Self::Rest(rest) => rest.fmt(f),
+            Self::Tour(tour) => tour.fmt(f),
             Self::Steadied(furthest, turned) => write!(
                 f,
                 "places went {furthest:.6} at most, views turned {turned:.3} degrees"
@@ -221,6 +228,17 @@ impl Tool {
     pub fn own_parameters(&self) -> impl Iterator<Item = &'static Parameter> + use<> {
         let shared = if self.can_add() { &[] } else { self.tables[1] };
         self.tables[0].iter().chain(shared)
+    }
+
+    /// What it takes in text options besides its parameters; none has a default.
+    #[must_use]
+    pub const fn more(&self) -> &'static [Parameter] {
+        match self.kind {
+            Kind::Fit => OF_FIT,
+            Kind::Tour => OF_TOUR,
+            Kind::Deform(_) => OF_DEFORM,
+            _ => &[],
+        }
     }
 
     /// Index of a parameter's first number among all its numbers.
@@ -475,7 +493,13 @@ impl Tool {
                 ];
                 return Ok(Made::path(made.path, &numbers, Vec::new()));
             }
-            (Kind::Tour, _) => put(given.tour(progress)?),
+            (Kind::Tour, _) => {
+                let (path, made) = given.tour(material, progress)?;
+                return Ok(Made {
+                    edit: Some(put(path)),
+                    ..made
+                });
+            }
             (Kind::Fit, ToolInput::Poses(poses, seconds, up)) => {
                 let recorded = (&poses[..], seconds.as_deref(), *up);
                 let (path, result) = given.fitted(recorded, progress)?;

@@ -155,22 +155,50 @@ impl<'a> ToolArguments<'a> {
         Ok((path, result))
     }
 
-    pub(super) fn tour(&self, progress: Progress<'_>) -> Result<CameraPath> {
+    /// A flight round the object, and what it is besides the edit.
+    pub(super) fn tour(
+        &self,
+        material: &ToolInput,
+        progress: Progress<'_>,
+    ) -> Result<(CameraPath, Made)> {
         let (space, info) = (self.document.path().space, self.document.info());
+        let (mesh, start) = match material {
+            ToolInput::Tour(mesh, start) => (mesh.as_deref(), *start),
+            _ => (None, None),
+        };
         let request = TourRequest {
             seconds: self.number("seconds"),
             coverage: self.number("coverage"),
             distance: self.number("distance"),
             inside: self.number("inside") != 0.0,
-            start: None,
+            start,
             up: space.up,
             space: Some(space),
             stills: false,
             limits: info.limits,
             fps: info.fps,
         };
-        let object = self.document.obstacles()?.unwrap_or_default();
-        Ok(tour(&object, &request, progress)?.path)
+        let mut made = match mesh {
+            Some(mesh) => tour(mesh, &request, progress)?,
+            None => {
+                let own = self.document.obstacles()?.unwrap_or_default();
+                tour(&own, &request, progress)?
+            }
+        };
+        let path = std::mem::take(&mut made.path);
+        let numbers = [
+            ("coverage", made.coverage),
+            ("places", made.places as f64),
+            ("distance", made.distance),
+            ("length", made.length),
+            ("seconds", made.seconds),
+        ];
+        let made = Made {
+            numbers: numbers.to_vec(),
+            lines: vec![Line::Tour(Box::new(made))],
+            ..Made::from(None)
+        };
+        Ok((path, made))
     }
 
     pub(super) fn places(&self) -> Result<Vec<DVec3>> {

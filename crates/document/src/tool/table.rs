@@ -1,6 +1,7 @@
 //! The tools but the moves, which the engine lists, with their parameters.
 
 use vides_engine::deform::LATTICE;
+use vides_engine::path::Up;
 use vides_engine::planner::{DEFAULT_MARGIN, What};
 use vides_engine::tools::{Parameter, Unit};
 
@@ -82,6 +83,46 @@ const TOLERANCE: Parameter = Parameter {
         0.01,
     )
 };
+
+/// What a fit takes besides its parameters: the poses may be of any host's world.
+pub(super) const OF_FIT: &[Parameter] = &[
+    Parameter {
+        least: f64::MIN,
+        most: f64::MAX,
+        ..one("fps", "frame rate of the path", 25.0)
+    },
+    Parameter::choice("up", "the up axis", Up::NAMES, 0),
+    Parameter {
+        width: 4,
+        least: f64::MIN,
+        most: f64::MAX,
+        ..one("space", "centre and half size of the path's space", 0.0)
+    },
+];
+
+/// What deformations take besides their parameters.
+pub(super) const OF_DEFORM: &[Parameter] = &[Parameter {
+    width: 6,
+    least: f64::MIN,
+    most: f64::MAX,
+    ..one(
+        "box",
+        "two opposite corners; without: the bounds of the points",
+        0.0,
+    )
+}];
+
+/// What a tour takes besides its parameters.
+pub(super) const OF_TOUR: &[Parameter] = &[Parameter {
+    width: 3,
+    least: f64::MIN,
+    most: f64::MAX,
+    ..one(
+        "start",
+        "where the flight begins; without: a closed tour",
+        0.0,
+    )
+}];
 
 pub(super) const TOOLS: &[Tool] = &[
     Tool {
