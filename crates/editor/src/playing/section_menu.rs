@@ -7,6 +7,7 @@ use vides_engine::limits::{MAX_HOLD, SPEEDS};
 use vides_engine::path::{Orientation, Pace};
 
 use super::axis::Axis;
+use super::key_menu::entry;
 use super::pins;
 use crate::action::Action;
 use crate::playing::axis::as_frame;
@@ -32,10 +33,9 @@ pub(super) fn show(editor: &Editor, response: &Response, axis: &Axis, actions: &
         }
         ui.separator();
         let texts = editor.texts();
-        let large = ui.add(Button::new(texts.menu.speeds));
-        if large.on_hover_text(texts.menu_hints.speeds).clicked() {
+        let large = Button::new(texts.menu.speeds);
+        if entry(ui, large, texts.menu_hints.speeds) {
             actions.push(Action::SpeedCurve);
-            ui.close();
         }
     });
 }
@@ -85,11 +85,10 @@ pub(super) fn of_key(
             0 => (texts.rest, texts.rest_hint, second),
             _ => (texts.no_rest, texts.no_rest_hint, 0),
         };
-        if ui.button(words).on_hover_text(hint).clicked() {
+        if entry(ui, Button::new(words), hint) {
             let edit = view(of).map(|view| with(of, view, |new| new.hold = hold));
             actions.push(Action::Select(of));
             actions.extend(edit.map(Action::Edit));
-            ui.close();
         }
         pins::menu(editor, ui, of.point, actions);
     });

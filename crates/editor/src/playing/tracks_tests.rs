@@ -570,8 +570,7 @@ fn shift_and_home_show_the_selection() {
     };
     tap(&mut harness, Key::Home, Modifiers::SHIFT);
     steps_on(&mut harness);
-    let time = |harness: &Window| Time::new(&axis(harness));
-    let ends = [20.0, 40.0].map(|frame| time(&harness).x(frame));
+    let ends = [20.0, 40.0].map(|frame| axis(&harness).place(frame));
     // All of them, with little room beside.
     assert!(rail.contains(ends[0]) && rail.contains(ends[1]), "{ends:?}");
     assert!(ends[1] - ends[0] > 0.8 * rail.span(), "{ends:?}");
@@ -586,7 +585,7 @@ fn shift_and_home_show_the_selection() {
     harness.get_by_label(name).focus();
     tap(&mut harness, Key::Home, Modifiers::SHIFT);
     steps_on(&mut harness);
-    let ends = [5.0, 60.0].map(|frame| time(&harness).x(frame));
+    let ends = [5.0, 60.0].map(|frame| axis(&harness).place(frame));
     assert!(rail.contains(ends[0]) && rail.contains(ends[1]), "{ends:?}");
     assert!(ends[1] - ends[0] > 0.8 * rail.span(), "{ends:?}");
 }
