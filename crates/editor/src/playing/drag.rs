@@ -228,3 +228,7 @@ pub(super) fn bubble(ui: &Ui, place: Pos2, words: String) {
     painter.rect(rect, corners, palette.panel, stroke, StrokeKind::Inside);
     painter.galley(rect.min + vec2(8.0, 4.0), galley, palette.text);
 }
+
+#[cfg(test)]
+#[path = "drag_tests.rs"]
+mod tests;

@@ -124,12 +124,14 @@ pub(super) fn show(
     let mut free = f32::NEG_INFINITY;
     // From left to right, so that each name has the room up to the next one.
     let mut all: Vec<_> = marks.markers_there().collect();
+    // What is held may be taken beyond the ends.
+    let held = memory.held.as_ref().map(|drag| drag.of.name.clone());
+    let is_held = |marker: &&(f64, String)| held.as_ref() == Some(&marker.1);
+    all.retain(|marker| axis.sees(axis.x_of(marker.0)) && !is_held(marker));
+    all.extend(marks.markers.iter().filter(is_held));
     all.sort_by(|a, b| a.0.total_cmp(&b.0));
     for (frame, name) in all {
         let tip = pos2(axis.x_of(*frame), rect.top());
-        if !axis.sees(tip.x) {
-            continue;
-        }
         let galley = painter.layout_no_wrap(name.clone(), FontId::proportional(11.0), palette.weak);
         let most = (rect.right() - galley.size().x).max(rect.left());
         let left = (tip.x + 6.0).min(most);

@@ -98,6 +98,7 @@ pub(super) fn of_key(
 mod tests {
     use egui::PointerButton;
 
+    use crate::playing::tracks::tests as hands;
     use crate::screenshots::screenshot;
     use crate::tests::*;
     use crate::texts::fill;
@@ -113,18 +114,7 @@ mod tests {
             let row = window.get_by_role_and_label(Role::Canvas, texts.timeline.all_sections);
             let row = row.rect();
             let click = |window: &mut Window, share: f32, button| {
-                let pos = row.lerp_inside(vec2(share, 0.5));
-                window.hover_at(pos);
-                window.run();
-                for pressed in [true, false] {
-                    window.event(egui::Event::PointerButton {
-                        pos,
-                        button,
-                        pressed,
-                        modifiers: Modifiers::NONE,
-                    });
-                    window.run();
-                }
+                hands::click(window, row.lerp_inside(vec2(share, 0.5)), button);
             };
             let speeds = |window: &Window| window.state().orientation().expect("a view").speeds;
             click(&mut window, 0.1, PointerButton::Primary);
@@ -153,18 +143,7 @@ mod tests {
             let click_key = |harness: &mut Window, point: usize| {
                 let name = harness.state().name_of(point, 0);
                 let place = harness.get_by_label(&fill(texts.key, &[&name])).rect();
-                let pos = place.center();
-                harness.hover_at(pos);
-                harness.run();
-                for pressed in [true, false] {
-                    harness.event(egui::Event::PointerButton {
-                        pos,
-                        button: PointerButton::Secondary,
-                        pressed,
-                        modifiers: Modifiers::NONE,
-                    });
-                    harness.run();
-                }
+                hands::click(harness, place.center(), PointerButton::Secondary);
             };
             let path = |window: &Window| window.state().document.path().clone();
             let before = path(&harness);
