@@ -46,25 +46,18 @@ impl KeyDrag {
 impl Moves for KeyDrag {
     fn go_on(&mut self, pass: &Pass<'_>, to: &To) -> Option<Action> {
         let playing = &pass.editor.playing;
-        let along = playing.moves_along;
-        let from = as_count(self.from);
-        let (least, most) = match to.copies {
-            false => playing.marks.reach(self.beside, along),
-            true => (1 - from, as_count(self.frames) - from),
-        };
         #[allow(clippy::cast_possible_truncation)]
-        let by = (to.by.round() as i64).min(most).max(least);
-        let wanted = match (by, self.beside) {
-            (0, _) => Retiming::Nothing,
-            (by, _) if to.copies => Retiming::Copy {
+        let by = to.by.round() as i64;
+        let from = as_count(self.from);
+        // Between the first frame and the last one.
+        let there = by.min(as_count(self.frames) - from).max(1 - from);
+        let wanted = match to.copies {
+            false => (playing.marks).moved(self.beside, by, playing.moves_along),
+            true if there == 0 => Retiming::Nothing,
+            true => Retiming::Copy {
                 of: self.of,
-                to: usize::try_from(from + by).unwrap_or(1),
+                to: usize::try_from(from + there).unwrap_or(1),
             },
-            (by, [Some(before), after]) => {
-                let after = after.filter(|_| !along);
-                Retiming::Move { before, after, by }
-            }
-            _ => Retiming::Nothing,
         };
         (wanted != self.done).then(|| {
             self.done = wanted;
