@@ -1,6 +1,8 @@
 //! The frames along the timeline: from frames to the screen and back, the part of them that is
 //! seen, and the steps of a ruler.
 
+use std::ops::Range;
+
 use egui::Rangef;
 
 /// The least frames between the ends of the rail.
@@ -8,6 +10,12 @@ const LEAST: f64 = 1.0;
 
 /// The margin on each side, as a share of what is shown.
 const ROOM: f64 = 0.05;
+
+/// Signs nearer to one another than this are one, in points.
+pub(super) const APART: f32 = 3.0;
+
+/// A press this near to a key means it.
+pub(super) const REACH: f32 = 6.0;
 
 /// How far beyond the rail something still shows, in points.
 const BEYOND: f32 = 8.0;
@@ -90,23 +98,8 @@ impl Axis {
     }
 
     /// What is behind the last frame lies at it.
-    pub(super) fn x(&self, frame: f32) -> f32 {
-        match self.seen {
-            Some(_) => self.x_of(f64::from(frame)),
-            #[allow(clippy::cast_possible_truncation)]
-            None => {
-                let share = (frame.min(self.end as f32) - self.begin as f32) / self.frames;
-                self.rail.min + self.rail.span() * share
-            }
-        }
-    }
-
-    #[allow(clippy::cast_possible_truncation)]
     pub(super) fn x_of(&self, frame: f64) -> f32 {
-        match self.seen {
-            Some(_) => self.place(frame.min(self.end)),
-            None => self.x(frame as f32),
-        }
+        self.place(frame.min(self.end))
     }
 
     /// The same for frames before the first and behind the last one, too.
@@ -134,6 +127,34 @@ impl Axis {
     pub(super) fn last(&self) -> f64 {
         let all = self.begin + f64::from(self.frames);
         self.seen.map_or(all, |seen| seen.last)
+    }
+
+    /// The keys that are to be seen: where their sign stands, and which ones share it.
+    pub(super) fn signs(&self, frames: &[f64]) -> Vec<(f32, Range<usize>)> {
+        let ends = self.rail.expand(REACH);
+        let last = self.frame(ends.max);
+        let first = self.frame(ends.min);
+        let mut at = frames.partition_point(|&key| key < first);
+        let mut all = Vec::new();
+        while let Some(&frame) = frames.get(at).filter(|&&key| key <= last) {
+            let x = self.place(frame);
+            let next = self.frame(x + APART);
+            let end = at + frames[at..].partition_point(|&key| key < next).max(1);
+            all.push((x, at..end));
+            at = end;
+        }
+        all
+    }
+
+    /// The key that is nearest, if one is near.
+    pub(super) fn nearest(&self, frames: &[f64], x: f32) -> Option<usize> {
+        let frame = self.frame(x);
+        let behind = frames.partition_point(|&key| key < frame);
+        let around = [behind.checked_sub(1), Some(behind)].into_iter().flatten();
+        let away = |at: &usize| (self.place(frames[*at]) - x).abs();
+        let known = around.filter(|&at| at < frames.len());
+        let near = known.min_by(|a, b| away(a).total_cmp(&away(b)));
+        near.filter(|at| away(at) <= REACH)
     }
 
     pub(super) fn shows_all(&self) -> bool {
@@ -236,9 +257,9 @@ mod tests {
                 assert!((axis.place(frame) - x).abs() < 1e-3, "{frame}");
             }
             // What is behind the end is shown at it.
-            assert_eq!(axis.x(1e9), axis.x_of(724.0));
+            assert_eq!(axis.x_of(1e9), axis.x_of(724.0));
         }
-        assert_eq!(all.x(1e9), 1180.0);
+        assert_eq!(all.x_of(1e9), 1180.0);
     }
 
     /// A path that begins at frame 21 of a scene of the frames −9 to 190.

@@ -188,16 +188,22 @@ fn numbers(
     }
 }
 
+/// A small button that bears a picture: whether it was clicked, its middle, the picture's colour.
+fn pictured(ui: &mut Ui, name: &str, tip: &str, on: bool) -> (bool, Pos2, egui::Color32) {
+    let response = ui.add_sized([SMALL, theme::ROW], Button::new("").selected(on));
+    response.widget_info(|| WidgetInfo::selected(Role::Button, true, on, name));
+    let visuals = ui.style().interact_selectable(&response, on);
+    let (centre, colour) = (response.rect.center(), visuals.fg_stroke.color);
+    (response.on_hover_text(tip).clicked(), centre, colour)
+}
+
 /// The button by which what follows a key moves along with it.
 fn along(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     let texts = &editor.texts().timeline;
     let on = editor.playing.moves_along;
-    let response = ui.add_sized([SMALL, theme::ROW], Button::new("").selected(on));
-    response.widget_info(|| WidgetInfo::selected(Role::Button, true, on, texts.along));
-    let visuals = ui.style().interact_selectable(&response, on);
-    ui.painter()
-        .extend(keys_along(response.rect.center(), visuals.fg_stroke.color));
-    if response.on_hover_text(texts.along_tip).clicked() {
+    let (clicked, centre, color) = pictured(ui, texts.along, texts.along_tip, on);
+    ui.painter().extend(keys_along(centre, color));
+    if clicked {
         actions.push(Action::Time(TimeAction::SwitchMovesAlong));
     }
 }
@@ -253,25 +259,17 @@ fn times_width(editor: &Editor, ui: &Ui) -> f32 {
 /// The buttons for looping and for the pace.
 fn how(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     let texts = &editor.texts().space;
-    let size = [SMALL, theme::ROW];
     let loops = editor.playing.loops;
-    let response = ui.add_sized(size, Button::new("").selected(loops));
-    response.widget_info(|| WidgetInfo::selected(Role::Button, true, loops, texts.again));
-    let color = ui
-        .style()
-        .interact_selectable(&response, loops)
-        .fg_stroke
-        .color;
-    ui.painter()
-        .extend(arrows_round(response.rect.center(), color));
-    if response.on_hover_text(texts.again_tip).clicked() {
+    let (clicked, centre, color) = pictured(ui, texts.again, texts.again_tip, loops);
+    ui.painter().extend(arrows_round(centre, color));
+    if clicked {
         actions.push(Action::Time(TimeAction::SwitchLoops));
     }
     if editor.document.edited_scene().is_some() {
         only_selected(editor, ui, actions);
     }
     let pace = editor.playing.pace;
-    let response = ui.add_sized(size, Button::new(pace.words()));
+    let response = ui.add_sized([SMALL, theme::ROW], Button::new(pace.words()));
     response.widget_info(|| WidgetInfo {
         current_text_value: Some(pace.words().to_owned()),
         ..WidgetInfo::labeled(Role::Button, true, texts.pace)
@@ -285,11 +283,8 @@ fn how(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
 fn only_selected(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     let texts = &editor.texts().space;
     let on = editor.playing.only_selected;
-    let response = ui.add_sized([SMALL, theme::ROW], Button::new("").selected(on));
-    let name = texts.only_selected;
-    response.widget_info(|| WidgetInfo::selected(Role::Button, true, on, name));
-    let visuals = ui.style().interact_selectable(&response, on);
-    let (color, centre) = (visuals.fg_stroke.color, response.rect.center());
+    let (name, tip) = (texts.only_selected, texts.only_selected_tip);
+    let (clicked, centre, color) = pictured(ui, name, tip, on);
     // A bar between two ends.
     let bar = Rect::from_center_size(centre, vec2(9.0, 4.0));
     ui.painter().rect_filled(bar, 1.0, color);
@@ -299,7 +294,7 @@ fn only_selected(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
         let stroke = Stroke::new(1.5, color);
         ui.painter().add(Shape::line(bracket.to_vec(), stroke));
     }
-    if response.on_hover_text(texts.only_selected_tip).clicked() {
+    if clicked {
         actions.push(Action::Time(TimeAction::SwitchOnlySelected));
     }
 }

@@ -12,13 +12,13 @@ use vides_engine::limits::{MAX_SPEED, MIN_SPEED, SPEEDS};
 use vides_engine::path::Change;
 
 use super::axis::Axis;
+use super::drag::{begun, ended};
 use super::key_row::take;
 use super::plot;
 use super::ruler::{colour_of_playhead, scrub_by_mouse};
 use crate::action::Action;
 use crate::entry::Entry;
 use crate::playing::axis::as_frame;
-use crate::playing::key_row::ended;
 use crate::state::playing::graph::{Graph, PIECES, Scale, Stretch};
 pub(super) use crate::state::playing::graph::{Held, Memory};
 use crate::state::playing::{Mark, Marks};
@@ -93,7 +93,7 @@ impl Scale {
     }
 
     pub(super) fn x(&self, frame: f32) -> f32 {
-        self.axis.x(frame)
+        self.axis.x_of(f64::from(frame))
     }
 
     pub(super) fn y(&self, speed: f32) -> f32 {
@@ -211,14 +211,7 @@ fn borders(
         response.widget_info(|| WidgetInfo::slider(true, stretch.end as f64, name.as_str()));
         let next = editor.playing.marks.at(stretch.end);
         let key = next.unwrap_or(stretch.from);
-        take(
-            editor,
-            held,
-            ui,
-            (&response, key, stretch.end),
-            &scale.axis,
-            actions,
-        );
+        take(editor, held, ui, (&response, key, stretch.end), actions);
         if response.hovered() {
             line(2.0, palette.focus);
         } else {
@@ -256,10 +249,7 @@ fn squares(editor: &Editor, held: &mut Held, ui: &Ui, scale: &Scale, actions: &m
         let response = ui.interact(place, id, Sense::drag());
         let name = fill(editor.texts().speed_window.speed, &[&(at + 1)]);
         response.widget_info(|| WidgetInfo::slider(true, speed, name.as_str()));
-        if response.drag_started()
-            && !ui.input(|input| input.pointer.middle_down())
-            && let Some(pointer) = ui.input(|input| input.pointer.press_origin())
-        {
+        if let Some(pointer) = begun(ui, &response) {
             let joins = editor.several().is_none() && goes_on(editor, stretch, at);
             *held = Held::Speed(at, pointer.y - middle.y, joins);
             actions.push(Action::Enter(Entry::Begin));
@@ -277,7 +267,11 @@ fn squares(editor: &Editor, held: &mut Held, ui: &Ui, scale: &Scale, actions: &m
             let other = joins.then(|| follow(editor, stretch, at, rounded));
             actions.extend(other.flatten().map(drag));
         }
-        ended(ui, &response, held, actions);
+        if matches!(held, Held::Speed(one, ..) if *one == at)
+            && ended(ui, &response, actions).is_some()
+        {
+            *held = Held::Nothing;
+        }
         let lively = response.hovered() || response.dragged();
         if lively {
             ui.set_cursor_icon(CursorIcon::ResizeVertical);

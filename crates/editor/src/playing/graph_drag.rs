@@ -3,28 +3,27 @@
 
 use std::sync::Arc;
 
-use egui::{CursorIcon, Key, Modifiers, Pos2, Rect, Response, Stroke, StrokeKind, Ui, vec2};
+use egui::{CursorIcon, Key, Modifiers, Pos2, Rect, Response, Ui, vec2};
 use vides_engine::limits::MAX_TANGENT;
 use vides_engine::scene::Track;
 
+use super::drag::{FINE, Moves, Pass, To, begun, bubble, ended, select_box};
 use super::graph_paint::part_name;
-use super::key_row::{FINE, bubble};
 use super::track_curve::Of;
 use super::track_dots;
-use super::track_drag::begun;
 use crate::action::{Action, TimeAction};
 use crate::entry::Entry;
-use crate::playing::track_dots::{Hit, Shown, has_handles, parts_of};
+use crate::playing::track_dots::{Hit, Shown, has_handles};
 use crate::playing::track_rows::channel_name;
 use crate::state::Editor;
+use crate::state::playing::drag::Drag;
 use crate::state::playing::track_graph::{
     Dot, DotsDrag, HandleDrag, Held, Joints, Memory, PartOf, Parts, Side,
 };
-use crate::state::playing::tracks::{Change, KeyMotion, Numbers, Way};
+use crate::state::playing::tracks::{Change, KeyMotion, Numbers};
 use crate::state::scene_view::KeyAt;
 use crate::state::space::Joint;
 use crate::texts::fill;
-use crate::theme;
 
 /// A handle is no nearer to its key than this along the time, in points.
 const LEAST: f32 = 0.5;
@@ -87,79 +86,108 @@ fn follows(joint: Joint, led: f64, other: f64) -> f64 {
     }
 }
 
-impl DotsDrag {
-    fn new(before: &Parts, shown: &Shown<'_>, dot: Dot, dots: Vec<Dot>, at: Pos2) -> Option<Self> {
-        let of = shown.track_of(&dot.at)?;
-        let from = (
-            of.track.frames()[dot.at.key],
-            of.of_key(dot.at.key, dot.part),
-        );
-        let mut parts = Parts::new();
-        let mut keys: Vec<KeyAt> = Vec::new();
-        let mut lifts = false;
-        for Dot { at, part } in dots {
-            let of = shown.track_of(&at)?;
-            let frame = of.track.frames()[at.key];
-            lifts |= !of.is_read_only();
-            parts.insert((at.node, at.channel.clone(), frame.to_bits(), part));
-            if keys.last() != Some(&at) {
-                keys.push(at);
-            }
+/// Takes these numbers of keys by the one under the pointer.
+fn dots_drag(
+    editor: &Editor,
+    before: &Parts,
+    shown: &Shown<'_>,
+    (dot, dots): (Dot, Vec<Dot>),
+    at: Pos2,
+) -> Option<Box<Drag<DotsDrag>>> {
+    let of = shown.track_of(&dot.at)?;
+    let from = of.track.frames()[dot.at.key];
+    let mut parts = Parts::new();
+    let mut keys: Vec<KeyAt> = Vec::new();
+    let mut lifts = false;
+    for Dot { at, part } in dots {
+        let of = shown.track_of(&at)?;
+        let frame = of.track.frames()[at.key];
+        lifts |= !of.is_read_only();
+        parts.insert(of.part(frame, part));
+        if keys.last() != Some(&at) {
+            keys.push(at);
         }
-        let done = KeyMotion::new(keys.clone(), Change::By(0.0), false, Numbers::Stay);
-        Some(Self {
-            keys,
-            before: before.union(&parts).cloned().collect(),
-            parts: Arc::new(parts),
-            dot,
-            from,
-            way: Way::begin(at.x),
-            pointer: at.y,
-            gone: 0.0,
-            lifts,
-            stays: [false; 2],
-            done,
-        })
     }
+    let name = match keys.len() {
+        0 | 1 => name_of(editor, &of, dot.part),
+        many => fill(editor.texts().timeline.keys_selected, &[&many]),
+    };
+    let drag = DotsDrag {
+        before: before.union(&parts).cloned().collect(),
+        parts: Arc::new(parts),
+        value: of.of_key(dot.at.key, dot.part),
+        read_only: of.is_read_only(),
+        channel: dot.at.channel,
+        pointer: at.y,
+        each: shown.fit.per_point,
+        gone: 0.0,
+        lifts,
+        stays: [false; 2],
+        done: KeyMotion::none(keys),
+    };
+    Some(Drag::new(drag, name, from, at))
+}
 
-    /// What is to be done, if that is another.
-    fn go_on(
-        &mut self,
-        editor: &Editor,
-        ui: &Ui,
-        response: &Response,
-        shown: &Shown<'_>,
-    ) -> Option<Action> {
+impl Moves for DotsDrag {
+    fn go_on(&mut self, pass: &Pass<'_>, to: &To) -> Option<Action> {
         for (stays, key) in [Key::X, Key::Y].into_iter().enumerate() {
-            if ui.input_mut(|input| input.consume_key(Modifiers::NONE, key)) {
+            let pressed = |input: &mut egui::InputState| input.consume_key(Modifiers::NONE, key);
+            if pass.ui.input_mut(pressed) {
                 let held = !self.stays[stays];
                 self.stays = [false; 2];
                 self.stays[stays] = held;
             }
         }
-        let held = ui.input(|input| input.modifiers);
         let [time_stays, number_stays] = self.stays;
-        let (time, from) = (&shown.time, self.from.0);
-        let to = self.way.go_on(editor, ui, response, (time, from));
-        if let Some(pointer) = response.interact_pointer_pos() {
-            let share = if held.shift { FINE } else { 1.0 };
-            self.gone -= f64::from(pointer.y - self.pointer) * shown.fit.per_point * share;
+        if let Some(pointer) = pass.response.interact_pointer_pos() {
+            let share = if to.fine { FINE } else { 1.0 };
+            self.gone -= f64::from(pointer.y - self.pointer) * self.each * share;
             self.pointer = pointer.y;
         }
-        let by = if time_stays { 0.0 } else { to - from };
+        let by = if time_stays { 0.0 } else { to.frame - to.from };
         let numbers = match number_stays || !self.lifts || self.gone == 0.0 {
             true => Numbers::Stay,
             false => Numbers::By(self.gone, Arc::clone(&self.parts)),
         };
-        let copies = held.ctrl || held.command;
-        let wanted = KeyMotion::new(self.keys.clone(), Change::By(by), copies, numbers);
-        let same = wanted == self.done || wanted.is_nothing() && self.done.is_nothing();
-        (!same).then(|| {
-            self.done = wanted.clone();
-            Action::Time(TimeAction::MoveKeys(Box::new(wanted)))
-        })
+        let keys = self.done.keys.clone();
+        let wanted = KeyMotion::new(keys, Change::By(by), to.copies, numbers);
+        self.done.turn_into(wanted)
     }
 
+    fn at(&self, _editor: &Editor, from: f64) -> f64 {
+        self.done.frame_of(from)
+    }
+
+    fn copies(&self) -> bool {
+        self.done.copies()
+    }
+
+    fn more(&self, editor: &Editor) -> Vec<String> {
+        let texts = &editor.texts().timeline;
+        let value = match self.read_only {
+            true => self.value,
+            false => (self.done).number(&self.channel, self.value + self.done.lift()),
+        };
+        let also = match self.stays {
+            [true, _] => Some(texts.time_stays),
+            [_, true] => Some(texts.number_stays),
+            _ => (self.read_only && self.gone != 0.0).then_some(texts.read_only),
+        };
+        let value = format!("= {}", editor.language().number(value, 4));
+        std::iter::once(value)
+            .chain(also.map(str::to_owned))
+            .collect()
+    }
+
+    fn cursor(&self) -> CursorIcon {
+        match self.copies() {
+            true => CursorIcon::Copy,
+            false => CursorIcon::Move,
+        }
+    }
+}
+
+impl DotsDrag {
     /// A number of a key as the key lies now.
     fn moved(&self, (node, channel, frame, part): &PartOf) -> PartOf {
         let frame = self.done.frame_of(f64::from_bits(*frame));
@@ -170,38 +198,6 @@ impl DotsDrag {
     fn parts_now(&self) -> Parts {
         let moved = self.parts.iter().map(|of| self.moved(of));
         moved.chain(self.before.iter().cloned()).collect()
-    }
-
-    fn tell(&self, editor: &Editor, ui: &Ui, shown: &Shown<'_>, top: f32) {
-        let texts = &editor.texts().timeline;
-        let Some(of) = shown.track_of(&self.dot.at) else {
-            return;
-        };
-        let mut name = name_of(editor, &of, self.dot.part);
-        let read_only = of.is_read_only();
-        let value = match (self.done.lift(), read_only) {
-            (by, false) => self.done.number(of.track.channel(), self.from.1 + by),
-            (_, true) => self.from.1,
-        };
-        if self.keys.len() > 1 {
-            name = fill(texts.keys_selected, &[&self.keys.len()]);
-        }
-        if self.done.copies() && !self.done.is_nothing() {
-            name = fill(texts.copy_of, &[&name]);
-        }
-        let at = self.done.frame_of(self.from.0);
-        let mut words = self.way.words(editor, &name, (self.from.0, at));
-        words += &format!("\n= {}", editor.language().number(value, 4));
-        let also = match self.stays {
-            [true, _] => texts.time_stays,
-            [_, true] => texts.number_stays,
-            _ if read_only && self.gone != 0.0 => texts.read_only,
-            _ => "",
-        };
-        if !also.is_empty() {
-            words += &format!("\n{also}");
-        }
-        bubble(ui, egui::pos2(shown.time.x(at), top), words);
     }
 }
 
@@ -218,8 +214,7 @@ impl HandleDrag {
         let (width, key) = (of.track.width(), dot.at.key);
         let before = of.track.shape()[2 * width * key..][..2 * width].to_vec();
         let [a, b] = [Side::Before, Side::After].map(|side| before[side.at(dot.part, width)]);
-        let frame = of.track.frames()[key].to_bits();
-        let chosen = joints.get(&(dot.at.node, dot.at.channel.clone(), frame, dot.part));
+        let chosen = joints.get(&of.part(of.track.frames()[key], dot.part));
         let joint = chosen.copied().unwrap_or_else(|| joint_of(a, b));
         let way = shown.handle(&of, &dot, side)? - shown.place(&of, key, dot.part);
         Some(Self {
@@ -262,8 +257,8 @@ impl HandleDrag {
         Some(Action::Time(TimeAction::MoveKeys(Box::new(motion))))
     }
 
-    fn tell(&self, editor: &Editor, ui: &Ui, shown: &Shown<'_>, top: f32) {
-        let texts = &editor.texts().timeline;
+    fn tell(&self, pass: &Pass<'_>, shown: &Shown<'_>) {
+        let (editor, texts) = (pass.editor, &pass.editor.texts().timeline);
         let Some(of) = shown.track_of(&self.dot.at) else {
             return;
         };
@@ -272,78 +267,66 @@ impl HandleDrag {
         let name = name_of(editor, &of, self.dot.part);
         let words = fill(texts.tangent, &[&name, &editor.language().number(slope, 3)]);
         let x = shown.place(&of, self.dot.at.key, self.dot.part).x;
-        bubble(ui, egui::pos2(x, top), words);
+        bubble(pass.ui, egui::pos2(x, pass.top), words);
     }
 }
 
 /// Takes what is under the pointer when a drag begins, and goes on with what is held.
 pub(super) fn show(
-    editor: &Editor,
     memory: &mut Memory,
-    ui: &Ui,
-    response: &Response,
-    (shown, top): (&Shown<'_>, f32),
+    pass: &Pass<'_>,
+    shown: &Shown<'_>,
     actions: &mut Vec<Action>,
 ) {
-    if let Some(begun) = begun(ui, response) {
-        memory.held = taken(memory, shown, begun, actions);
-    }
-    if !response.dragged() {
-        ended(memory, ui, response, actions);
-        return;
+    let (ui, response) = (pass.ui, pass.response);
+    if let Some(at) = begun(ui, response) {
+        response.request_focus();
+        memory.held = taken(memory, pass, shown, at, actions);
     }
     // It remembers what is selected, too.
     let mut held = std::mem::take(&mut memory.held);
-    match &mut held {
-        Held::Nothing => {}
+    let end = match &mut held {
+        Held::Nothing => return,
         Held::Dots(drag) => {
-            actions.extend(drag.go_on(editor, ui, response, shown));
-            memory.parts = drag.parts_now();
-            drag.tell(editor, ui, shown, top);
-            ui.set_cursor_icon(match drag.done.copies() {
-                true => CursorIcon::Copy,
-                false => CursorIcon::Move,
-            });
+            let end = drag.go_on(pass, actions);
+            if response.dragged() {
+                memory.parts = drag.of.parts_now();
+            }
+            end
         }
         Held::Handle(drag) => {
-            actions.extend(drag.go_on(ui, response, shown));
-            drag.tell(editor, ui, shown, top);
-            ui.set_cursor_icon(CursorIcon::Move);
+            if response.dragged() {
+                actions.extend(drag.go_on(ui, response, shown));
+                drag.tell(pass, shown);
+                ui.set_cursor_icon(CursorIcon::Move);
+            }
+            ended(ui, response, actions)
         }
         Held::Box { from, besides } => {
-            if let Some(pointer) = response.interact_pointer_pos() {
-                boxed(memory, ui, shown, (*from, pointer, besides), actions);
+            if !response.dragged() {
+                return;
             }
+            if let Some(pointer) = response.interact_pointer_pos() {
+                let place = Rect::from_two_pos(*from, pointer);
+                select_box(ui, shown.ground, place);
+                let mut dots = shown.within(place);
+                dots.extend(besides.iter().cloned());
+                track_dots::select(memory, shown, dots, actions);
+            }
+            None
         }
-    }
-    memory.held = held;
-    let steps = matches!(memory.held, Held::Dots(_) | Held::Handle(_));
-    if steps && ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Enter)) {
-        ui.ctx().stop_dragging();
-        memory.held = Held::Nothing;
-        actions.push(Action::Enter(Entry::End));
-    }
-}
-
-/// What was held is let go, or given back.
-fn ended(memory: &mut Memory, ui: &Ui, response: &Response, actions: &mut Vec<Action>) {
-    let held = std::mem::take(&mut memory.held);
-    if !response.drag_stopped() || matches!(held, Held::Nothing | Held::Box { .. }) {
-        return;
-    }
-    let end = Entry::of_end(ui.ctx());
-    let given_back = end == Entry::Cancel;
-    actions.push(Action::Enter(end));
-    match held {
-        Held::Dots(drag) if given_back => {
-            memory.parts = (*drag.parts).clone();
-            actions.push(Action::SelectKeys(drag.keys));
+    };
+    match (held, end) {
+        (held, None) => memory.held = held,
+        (Held::Dots(drag), Some(Entry::Cancel)) => {
+            memory.parts = (*drag.of.parts).clone();
+            actions.push(Action::SelectKeys(drag.of.done.keys));
         }
         // A key keeps what was chosen for it at its new frame.
-        Held::Dots(drag) if !drag.done.copies() => {
-            for of in drag.parts.iter() {
+        (Held::Dots(drag), _) if !drag.of.done.copies() => {
+            for of in drag.of.parts.iter() {
                 if let Some(joint) = memory.joints.remove(of) {
-                    memory.joints.insert(drag.moved(of), joint);
+                    memory.joints.insert(drag.of.moved(of), joint);
                 }
             }
         }
@@ -353,12 +336,16 @@ fn ended(memory: &mut Memory, ui: &Ui, response: &Response, actions: &mut Vec<Ac
 
 fn taken(
     memory: &mut Memory,
+    pass: &Pass<'_>,
     shown: &Shown<'_>,
-    (at, adds): (Pos2, bool),
+    at: Pos2,
     actions: &mut Vec<Action>,
 ) -> Held {
     let drag = match shown.hit(&memory.parts, at) {
         Hit::Nothing => {
+            let adds = pass
+                .ui
+                .input(|input| input.modifiers.ctrl || input.modifiers.shift);
             let besides = match adds {
                 true => shown.dots(&memory.parts),
                 false => Vec::new(),
@@ -368,13 +355,12 @@ fn taken(
         Hit::Handle(dot, side) => HandleDrag::new(&memory.joints, shown, (dot, side), at)
             .map(|drag| Held::Handle(Box::new(drag))),
         Hit::Dot(dot) => {
-            let mut dots = all_dots(&memory.parts, shown);
+            let mut dots = shown.all_dots(&memory.parts, |_| true);
             if !dots.contains(&dot) {
                 dots = vec![dot.clone()];
                 track_dots::select(memory, shown, dots.clone(), actions);
             }
-            DotsDrag::new(&memory.parts, shown, dot, dots, at)
-                .map(|drag| Held::Dots(Box::new(drag)))
+            dots_drag(pass.editor, &memory.parts, shown, (dot, dots), at).map(Held::Dots)
         }
     };
     let Some(drag) = drag else {
@@ -382,40 +368,6 @@ fn taken(
     };
     actions.push(Action::Enter(Entry::Begin));
     drag
-}
-
-/// The selected numbers of the curves that are shown, in sight or not.
-fn all_dots(parts: &Parts, shown: &Shown<'_>) -> Vec<Dot> {
-    let mut all = Vec::new();
-    for at in &shown.selected {
-        if let Some(of) = shown.track_of(at) {
-            let chosen = parts_of(parts, at, of.track.frames()[at.key], of.width());
-            all.extend(chosen.map(|part| Dot {
-                at: at.clone(),
-                part,
-            }));
-        }
-    }
-    all
-}
-
-/// Selects the numbers of keys in a box, and these besides.
-fn boxed(
-    memory: &mut Memory,
-    ui: &Ui,
-    shown: &Shown<'_>,
-    (from, to, besides): (Pos2, Pos2, &[Dot]),
-    actions: &mut Vec<Action>,
-) {
-    let palette = theme::palette(ui);
-    let place = Rect::from_two_pos(from, to);
-    let painter = ui.painter_at(shown.ground.intersect(ui.clip_rect()));
-    painter.rect_filled(place, 0.0, palette.accent.gamma_multiply(0.15));
-    let line = Stroke::new(1.0, palette.accent);
-    painter.rect_stroke(place, 0.0, line, StrokeKind::Inside);
-    let mut dots = shown.within(place);
-    dots.extend(besides.iter().cloned());
-    track_dots::select(memory, shown, dots, actions);
 }
 
 #[cfg(test)]

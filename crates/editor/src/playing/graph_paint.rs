@@ -90,7 +90,7 @@ pub(super) fn scale(
 /// The keys and the handles of those that are selected.
 pub(super) fn signs(memory: &Memory, ui: &Ui, painter: &Painter, shown: &Shown<'_>) {
     let palette = theme::palette(ui);
-    let ends = [shown.ground.left(), shown.ground.right()].map(|x| shown.time.frame(x));
+    let ends = [shown.ground.left(), shown.ground.right()].map(|x| shown.axis.frame(x));
     for (dot, _, place) in shown.handles(&memory.parts) {
         let Some(of) = shown.track_of(&dot.at) else {
             continue;
@@ -204,12 +204,12 @@ pub(super) fn names(
                 let (_, room) = ui.allocate_space(vec2(ui.available_width(), ROW));
                 let room = room.with_max_x(rect.right() - theme::GAP);
                 caption(editor, memory, ui, (*row, room), edited);
-                let Some(track) = row.track(edited) else {
+                let Some(of) = row.of(edited) else {
                     continue;
                 };
                 let id = Id::unique(("curve of", row.node, row.track));
                 let response = ui.interact(room, id, Sense::CLICK);
-                let channel = channel_name(editor, track.channel());
+                let channel = channel_name(editor, of.track.channel());
                 let on = seen.contains(row);
                 response.widget_info(|| WidgetInfo::selected(Role::Button, true, on, &channel));
                 if on || response.hovered() {

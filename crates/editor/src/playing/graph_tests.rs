@@ -10,14 +10,6 @@ use super::*;
 use crate::screenshots::screenshot;
 use crate::space::tests::{motion, press, pyramid, pyramid_window, release, tap};
 
-fn document_frames(editor: &Editor) -> Vec<usize> {
-    let sections = |timeline: &vides_engine::path::Timeline| {
-        let count = timeline.section_count();
-        (0..count).map(|at| timeline.section(at).frames).collect()
-    };
-    editor.document.timeline(sections).unwrap()
-}
-
 /// The way from the start of a section to its end by the speeds that are shown is the
 /// way that the camera goes in its frames.
 #[test]
@@ -49,72 +41,6 @@ fn the_area_under_the_graph_is_the_way() {
             "{way} {section:?}"
         );
     }
-}
-
-/// Where a border is, and how many points a frame is wide.
-fn border(harness: &Harness<'_, Editor>, name: &str) -> (Pos2, f32) {
-    let last = harness.state().playing.marks.frames as f32;
-    let bar = harness.get_by_label("Frame").rect().shrink2(vec2(8.0, 0.0));
-    (
-        harness.get_by_label(name).rect().center(),
-        bar.width() / (last - 1.0),
-    )
-}
-
-#[test]
-fn a_border_that_is_dragged_gives_frames_from_one_section_to_the_other() {
-    let mut harness = pyramid_window();
-    let before = document_frames(harness.state());
-    let whole = harness.state().playing.marks.frames;
-    let (at, frame) = border(&harness, "End of section 2");
-    let to = at + vec2(30.0 * frame, 0.0);
-    press(&mut harness, at, PointerButton::Primary);
-    motion(&mut harness, at + vec2(4.0 * frame, 0.0));
-    motion(&mut harness, to);
-    release(&mut harness, to, PointerButton::Primary);
-    let after = document_frames(harness.state());
-    let gained = after[1] - before[1];
-    assert!((28..=32).contains(&gained), "{before:?} {after:?}");
-    assert_eq!(after[2], before[2] - gained);
-    assert_eq!(harness.state().playing.marks.frames, whole);
-    // Not below one frame.
-    let (at, frame) = border(&harness, "End of section 2");
-    let to = at + vec2(2000.0 * frame, 0.0);
-    press(&mut harness, at, PointerButton::Primary);
-    motion(&mut harness, to);
-    release(&mut harness, to, PointerButton::Primary);
-    assert_eq!(document_frames(harness.state())[2], 1);
-    for _ in 0..2 {
-        tap(&mut harness, Key::Z, Modifiers::CTRL);
-    }
-    assert_eq!(document_frames(harness.state()), before);
-    assert!(!harness.state().document.is_modified());
-}
-
-#[test]
-fn with_its_switch_all_behind_a_border_moves_along_and_escape_takes_it_back() {
-    let mut harness = pyramid_window();
-    let before = document_frames(harness.state());
-    harness.get_by_label("What follows moves along").click();
-    harness.step();
-    harness.step();
-    let (at, frame) = border(&harness, "End of section 2");
-    let to = at + vec2(40.0 * frame, 0.0);
-    for escapes in [true, false] {
-        press(&mut harness, at, PointerButton::Primary);
-        motion(&mut harness, to);
-        let meanwhile = document_frames(harness.state());
-        assert!((38..=42).contains(&(meanwhile[1] - before[1])));
-        assert_eq!(meanwhile[2..], before[2..]);
-        if escapes {
-            tap(&mut harness, Key::Escape, Modifiers::NONE);
-            assert_eq!(document_frames(harness.state()), before);
-        }
-        release(&mut harness, to, PointerButton::Primary);
-    }
-    assert_ne!(document_frames(harness.state()), before);
-    tap(&mut harness, Key::Z, Modifiers::CTRL);
-    assert_eq!(document_frames(harness.state()), before);
 }
 
 #[test]

@@ -1,43 +1,55 @@
 //! What the menu of a track has for its selected keys: how their tangents go together, their
 //! tension, continuity and bias.
 
+use std::collections::BTreeSet;
+
 use egui::{Button, Ui};
 use vides_document::Edit;
-use vides_engine::scene::{Interpolation, Part, Track};
+use vides_engine::scene::Interpolation;
 
 use super::graph_drag::joint_of;
+use super::track_curve::Of;
 use crate::action::Action;
 use crate::entry::Entry;
 use crate::number::Number;
 use crate::playing::track_dots::{has_handles, parts_of};
 use crate::state::Editor;
 use crate::state::playing::track_graph::Memory;
-use crate::state::scene_view::KeyAt;
 use crate::state::space::Joint;
 
 /// The width of the field of a number.
 const FIELD: f32 = 96.0;
+
+/// An entry of a menu, which closes it; a hint where there is one.
+pub(super) fn entry(ui: &mut Ui, button: Button<'_>, hint: &str) -> bool {
+    let mut response = ui.add(button);
+    if !hint.is_empty() {
+        response = response.on_hover_text(hint);
+    }
+    if response.clicked() {
+        ui.close();
+    }
+    response.clicked()
+}
 
 /// Shows it for the selected keys of a track, if it has any.
 pub(super) fn show(
     editor: &Editor,
     graph: &mut Memory,
     ui: &mut Ui,
-    (node, track): (usize, &Track),
+    of: &Of<'_>,
     actions: &mut Vec<Action>,
 ) {
     let selected = editor.selected_keys().into_iter();
-    let own = selected.filter(|at| at.node == node && at.channel.same_as(track.channel()));
-    let mut keys: Vec<usize> = own.map(|at| at.key).collect();
-    keys.sort_unstable();
-    keys.dedup();
+    let own = selected.filter(|at| of.has(at)).map(|at| at.key);
+    let keys: Vec<usize> = own.collect::<BTreeSet<_>>().into_iter().collect();
     if keys.is_empty() {
         return;
     }
-    match track.interpolation() {
-        Interpolation::Tcb => shapes(editor, ui, (node, track, &keys), actions),
-        Interpolation::Hermite if has_handles(track) => {
-            ties(editor, graph, ui, (node, track, &keys), actions);
+    match of.track.interpolation() {
+        Interpolation::Tcb => shapes(editor, ui, (of, &keys), actions),
+        Interpolation::Hermite if has_handles(of.track) => {
+            ties(editor, graph, ui, (of, &keys), actions);
         }
         _ => return,
     }
@@ -45,38 +57,35 @@ pub(super) fn show(
 }
 
 /// The edit that gives keys of a track another shape: each by its place among them.
-fn with_shape(
-    (node, track, keys): (usize, &Track, &[usize]),
-    change: impl Fn(usize, &mut [f64]),
-) -> Option<Edit> {
-    let mut put = track.keys(keys).ok()?;
+fn with_shape(of: &Of<'_>, keys: &[usize], change: impl Fn(usize, &mut [f64])) -> Option<Edit> {
+    let mut put = of.track.keys(keys).ok()?;
     let width = put.shape.len() / keys.len();
     let all = put.shape.chunks_exact_mut(width).enumerate();
     all.for_each(|(at, shape)| change(at, shape));
-    let (channel, remove) = (track.channel().clone(), keys.to_vec());
-    Some(Edit::Part(Box::new(Part::Keys {
-        node,
-        channel,
-        remove,
-        put,
-    })))
+    Some(of.replaced(keys.to_vec(), put))
 }
 
 /// Three numbers, those of the first key; what is entered is for all.
-fn shapes(editor: &Editor, ui: &mut Ui, of: (usize, &Track, &[usize]), actions: &mut Vec<Action>) {
+fn shapes(
+    editor: &Editor,
+    ui: &mut Ui,
+    (of, keys): (&Of<'_>, &[usize]),
+    actions: &mut Vec<Action>,
+) {
     let texts = &editor.texts().curve;
-    let (node, track, keys) = of;
-    let now = &track.shape()[3 * keys[0]..][..3];
+    let now = &of.track.shape()[3 * keys[0]..][..3];
     let names = [texts.tension, texts.continuity, texts.bias];
     let hints = [texts.tension_hint, texts.continuity_hint, texts.bias_hint];
     for (at, (name, hint)) in names.into_iter().zip(hints).enumerate() {
-        let id = format!("tcb.{node}.{}.{at}", track.channel());
+        let id = format!("tcb.{}.{}.{at}", of.node, of.track.channel());
         let number = Number::new(name, now[at]).label(name).hint(hint);
         let number = number.range(-1.0..=1.0).decimals(2).steps(0.05, 0.01);
         let entry = number.show(ui, editor.language(), &id, FIELD + 60.0);
-        let edit = |value| with_shape(of, |_, shape| shape[at] = value).ok_or_else(String::new);
+        let edit = |value| with_shape(of, keys, |_, shape| shape[at] = value);
         if entry != Entry::Idle {
-            actions.push(Action::Enter(entry.try_map(edit)));
+            actions.push(Action::Enter(
+                entry.try_map(|value| edit(value).ok_or_else(String::new)),
+            ));
         }
     }
 }
@@ -86,19 +95,18 @@ fn ties(
     editor: &Editor,
     graph: &mut Memory,
     ui: &mut Ui,
-    of: (usize, &Track, &[usize]),
+    (of, keys): (&Of<'_>, &[usize]),
     actions: &mut Vec<Action>,
 ) {
-    let (node, track, keys) = of;
+    let track = of.track;
     let texts = (&editor.texts().position, &editor.texts().timeline);
     let width = track.width();
     let mut ties = Vec::new();
     for (at, &key) in keys.iter().enumerate() {
-        let (channel, frame) = (track.channel().clone(), track.frames()[key]);
-        let of_key = KeyAt { node, channel, key };
+        let frame = track.frames()[key];
         let tangents = &track.shape()[2 * width * key..][..2 * width];
-        for part in parts_of(&graph.parts, &of_key, frame, width) {
-            let id = (node, track.channel().clone(), frame.to_bits(), part);
+        for part in parts_of(&graph.parts, of, frame) {
+            let id = of.part(frame, part);
             let by_form = joint_of(tangents[part], tangents[width + part]);
             let now = graph.joints.get(&id).copied().unwrap_or(by_form);
             ties.push((at, part, id, now));
@@ -113,11 +121,10 @@ fn ties(
             Joint::Mirrored => (texts.0.mirrored, texts.1.mirrored_hint),
             Joint::Corner => (texts.0.corner, texts.1.corner_hint),
         };
-        let button = ui.add(Button::selectable(each == first, words));
-        if !button.on_hover_text(hint).clicked() {
+        if !entry(ui, Button::selectable(each == first, words), hint) {
             continue;
         }
-        let edit = with_shape(of, |at, tangents| {
+        let edit = with_shape(of, keys, |at, tangents| {
             let (before, after) = tangents.split_at_mut(width);
             for (_, part, ..) in ties.iter().filter(|of| of.0 == at) {
                 let (before, after) = (&mut before[*part], &mut after[*part]);
@@ -135,7 +142,6 @@ fn ties(
         }
         let chosen = ties.into_iter().map(|(_, _, id, _)| (id, each));
         graph.joints.extend(chosen);
-        ui.close();
         return;
     }
 }

@@ -2,10 +2,10 @@
 //! the original keys each time.
 
 use vides_document::error::Result;
-use vides_document::{Document, Edit};
-use vides_engine::scene::{Channel, Interpolation, KeyList, Part, Track};
+use vides_document::{Document, Edit, EditedScene};
+use vides_engine::scene::{Channel, Interpolation, KeyList};
 
-use super::track_curve::is_read_only;
+use super::track_curve::Of;
 use crate::state::Editor;
 use crate::state::playing::tracks::{Change, KeyMotion, Numbers};
 use crate::state::scene_view::KeyAt;
@@ -34,11 +34,8 @@ impl Change {
     }
 }
 
-/// Keys of one track, in rising order.
-type OfTrack = (usize, Channel, Vec<usize>);
-
-/// Keys by their tracks.
-pub(super) fn by_track(keys: &[KeyAt]) -> Vec<OfTrack> {
+/// Keys by their tracks, in rising order.
+pub(super) fn by_track<'a>(edited: &'a EditedScene, keys: &[KeyAt]) -> Vec<(Of<'a>, Vec<usize>)> {
     let mut sorted: Vec<&KeyAt> = keys.iter().collect();
     sorted.sort_by(|a, b| {
         let (a, b) = ((a.node, &a.channel, a.key), (b.node, &b.channel, b.key));
@@ -47,10 +44,10 @@ pub(super) fn by_track(keys: &[KeyAt]) -> Vec<OfTrack> {
     sorted.dedup();
     let tracks = sorted.chunk_by(|a, b| (a.node, &a.channel) == (b.node, &b.channel));
     let one = |keys: &[&KeyAt]| {
-        let which = keys.iter().map(|at| at.key).collect();
-        (keys[0].node, keys[0].channel.clone(), which)
+        let of = Of::new(edited, keys[0].node, &keys[0].channel)?;
+        Some((of, keys.iter().map(|at| at.key).collect()))
     };
-    tracks.map(one).collect()
+    tracks.filter_map(one).collect()
 }
 
 impl KeyMotion {
@@ -63,8 +60,9 @@ impl KeyMotion {
         }
     }
 
-    pub(super) const fn copies(&self) -> bool {
-        self.copies
+    /// Whether copies move.
+    pub(super) fn copies(&self) -> bool {
+        self.copies && !self.is_nothing()
     }
 
     pub(super) fn is_nothing(&self) -> bool {
@@ -94,14 +92,13 @@ impl KeyMotion {
     }
 
     /// Changes the numbers of keys of a track that stand at their old frames.
-    fn change_numbers(&self, (node, track): (usize, &Track), put: &mut KeyList) {
-        let (channel, width) = (track.channel(), track.width());
+    fn change_numbers(&self, of: &Of<'_>, put: &mut KeyList) {
+        let (channel, width) = (of.track.channel(), of.track.width());
         match &self.numbers {
             Numbers::Stay => {}
-            Numbers::By(by, parts) if !is_read_only(track) => {
+            Numbers::By(by, parts) if !of.is_read_only() => {
                 for (key, frame) in put.frames.iter().enumerate() {
-                    let of = |part| (node, channel.clone(), frame.to_bits(), part);
-                    for (.., part) in parts.range(of(0)..of(width)) {
+                    for (.., part) in parts.range(of.part(*frame, 0)..of.part(*frame, width)) {
                         let number = &mut put.values[key * width + part];
                         *number = self.number(channel, *number + by);
                     }
@@ -112,39 +109,30 @@ impl KeyMotion {
         }
     }
 
-    /// The edits of a document that is as it was when the motion began, and the frames at which
-    /// the keys lie then.
-    fn edits(&self, document: &Document) -> Result<Vec<(Edit, Vec<f64>)>> {
-        let mut edits = Vec::new();
-        for (node, channel, which) in by_track(&self.keys) {
-            let nodes = document.edited_scene().map(|edited| edited.scene().nodes());
-            let of = nodes.and_then(|nodes| nodes.get(node));
-            let Some(track) = of.and_then(|node| node.keys().track(&channel)) else {
-                continue;
-            };
-            let mut put = track.keys(&which)?;
-            self.change_numbers((node, track), &mut put);
+    /// The edits of a scene that is as it was when the motion began, and for each track the frames
+    /// at which the keys lie then.
+    fn edits(&self, edited: &EditedScene) -> Result<Vec<(Edit, Place)>> {
+        let edit = |(of, which): (Of<'_>, Vec<usize>)| {
+            let mut put = of.track.keys(&which)?;
+            self.change_numbers(&of, &mut put);
             for frame in &mut put.frames {
                 *frame = self.to.of(*frame);
             }
-            if *track.interpolation() == Interpolation::Hermite {
+            if *of.track.interpolation() == Interpolation::Hermite {
                 // They are by frame.
                 let factor = self.to.factor();
                 put.shape.iter_mut().for_each(|slope| *slope /= factor);
             }
-            let frames = put.frames.clone();
+            let place = (of.node, of.track.channel().clone(), put.frames.clone());
             let remove = if self.copies { Vec::new() } else { which };
-            let part = Part::Keys {
-                node,
-                channel,
-                remove,
-                put,
-            };
-            edits.push((Edit::Part(Box::new(part)), frames));
-        }
-        Ok(edits)
+            Ok((of.replaced(remove, put), place))
+        };
+        by_track(edited, &self.keys).into_iter().map(edit).collect()
     }
 }
+
+/// A node, a channel, and frames at which it has keys.
+pub(super) type Place = (usize, Channel, Vec<f64>);
 
 impl Editor {
     /// Moves or copies keys in place of what the open step has done.
@@ -155,56 +143,36 @@ impl Editor {
             self.message = None;
             return;
         }
-        let (edits, frames): (Vec<_>, Vec<_>) = match motion.edits(&self.document) {
-            Ok(edits) => edits.into_iter().unzip(),
-            Err(error) => return self.complain_of(&error),
-        };
-        if self.edit_together(edits) {
-            let tracks = by_track(&motion.keys);
-            let tracks = tracks.into_iter().map(|(node, channel, _)| (node, channel));
-            self.select_keys(keys_at(&self.document, tracks.zip(frames)));
+        let edits = self.document.edited_scene();
+        let edits = edits.map_or(Ok(Vec::new()), |edited| motion.edits(edited));
+        match edits {
+            Ok(edits) => {
+                let (edits, places): (Vec<_>, Vec<_>) = edits.into_iter().unzip();
+                if self.edit_together(edits) {
+                    self.select_keys(keys_at(&self.document, &places));
+                }
+            }
+            Err(error) => self.complain_of(&error),
         }
     }
 }
 
-/// The keys of tracks at these frames.
-pub(super) fn keys_at(
-    document: &Document,
-    tracks: impl Iterator<Item = ((usize, Channel), Vec<f64>)>,
-) -> Vec<KeyAt> {
-    let Some(edited) = document.edited_scene() else {
-        return Vec::new();
+/// The keys at these places.
+pub(super) fn keys_at(document: &Document, places: &[Place]) -> Vec<KeyAt> {
+    let of = |(node, channel, frames): &'_ Place| {
+        let of = Of::new(document.edited_scene()?, *node, channel)?;
+        let keys = frames.iter().filter_map(|&frame| of.at_frame(frame));
+        Some(keys.map(|key| of.key(key)).collect::<Vec<_>>())
     };
-    let mut keys = Vec::new();
-    for ((node, channel), frames) in tracks {
-        let of = edited.scene().nodes().get(node);
-        let Some(track) = of.and_then(|node| node.keys().track(&channel)) else {
-            continue;
-        };
-        let all = track.frames();
-        let there = |frame: f64| {
-            let key = all.partition_point(|&key| key < frame);
-            (all.get(key) == Some(&frame)).then_some(key)
-        };
-        keys.extend(frames.into_iter().filter_map(there).map(|key| KeyAt {
-            node,
-            channel: channel.clone(),
-            key,
-        }));
-    }
-    keys
+    places.iter().filter_map(of).flatten().collect()
 }
 
 /// The edits that remove keys.
-pub(super) fn removed(keys: &[KeyAt]) -> Vec<Edit> {
-    let of_track = |(node, channel, remove)| {
-        let put = Default::default();
-        Edit::Part(Box::new(Part::Keys {
-            node,
-            channel,
-            remove,
-            put,
-        }))
-    };
-    by_track(keys).into_iter().map(of_track).collect()
+pub(super) fn removed(document: &Document, keys: &[KeyAt]) -> Vec<Edit> {
+    let edited = document.edited_scene();
+    let tracks = edited.map_or(Vec::new(), |edited| by_track(edited, keys));
+    let tracks = tracks.into_iter();
+    tracks
+        .map(|(of, which)| of.replaced(which, KeyList::default()))
+        .collect()
 }

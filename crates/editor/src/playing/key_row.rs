@@ -1,19 +1,21 @@
 //! The keys on the timeline, and the sections between them: dragged, copied, selected.
 
 use egui::{
-    CornerRadius, CursorIcon, FontId, Id, Key, Order, Painter, Pos2, Rangef, Rect, Response, Sense,
-    Shape, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
+    CursorIcon, FontId, Id, Painter, Rangef, Rect, Response, Sense, Stroke, Ui, WidgetInfo, pos2,
+    vec2,
 };
 use vides_document::Selection;
 
 use super::axis::Axis;
+use super::drag::{Moves, Pass, To, begun};
 use super::ruler::chosen_too;
 use super::{pins, section_menu};
 use crate::action::{Action, TimeAction};
 use crate::entry::Entry;
 use crate::playing::axis::as_frame;
-use crate::space::typed::Typed;
+use crate::playing::track_rows::diamond;
 use crate::state::Editor;
+use crate::state::playing::drag::Drag;
 use crate::state::playing::graph::{Held, KeyDrag, Memory};
 use crate::state::playing::{Mark, Retiming};
 use crate::texts::fill;
@@ -28,92 +30,9 @@ const ROOM: f32 = 24.0;
 /// Half of a key's sign.
 const SIGN: f32 = 5.0;
 
-/// Factor of a drag with Shift.
-pub(super) const FINE: f64 = 0.1;
-
 impl KeyDrag {
-    /// The key of this frame is taken.
-    fn new(
-        editor: &Editor,
-        (id, of, frame): (Id, Selection, usize),
-        axis: &Axis,
-        pointer: Pos2,
-    ) -> Self {
-        let marks = &editor.playing.marks;
-        Self {
-            id,
-            of,
-            from: frame,
-            beside: marks.beside(frame),
-            pointer: pointer.x,
-            gone: 0.0,
-            each: axis.frames_per_point(),
-            frames: marks.frames,
-            all: editor.playing.axis,
-            typed: Typed::default(),
-            done: Retiming::Nothing,
-        }
-    }
-
-    /// Goes on with the pointer or what is typed; what is to be done, if that is another.
-    fn go_on(&mut self, editor: &Editor, ui: &Ui, response: &Response) -> Option<Action> {
-        let held = ui.input(|input| input.modifiers);
-        if let Some(pointer) = response.interact_pointer_pos() {
-            let fine = if held.shift { FINE } else { 1.0 };
-            self.gone += f64::from(pointer.x - self.pointer) * self.each * fine;
-            self.pointer = pointer.x;
-        }
-        ui.input_mut(|input| input.events.retain(|event| !self.typed.take(event)));
-        let copies = held.ctrl || held.command;
-        let marks = &editor.playing.marks;
-        let along = editor.playing.moves_along;
-        let (least, most) = match copies {
-            false => marks.reach(self.beside, along),
-            true => (
-                1 - as_count(self.from),
-                as_count(self.frames) - as_count(self.from),
-            ),
-        };
-        #[allow(clippy::cast_possible_truncation)]
-        let by = self.wanted(editor).round() as i64;
-        let by = by.min(most).max(least);
-        let wanted = match (by, self.beside) {
-            (0, _) => Retiming::Nothing,
-            (by, _) if copies => {
-                let to = usize::try_from(as_count(self.from) + by).unwrap_or(1);
-                Retiming::Copy { of: self.of, to }
-            }
-            (by, [Some(before), after]) => {
-                let after = after.filter(|_| !along);
-                Retiming::Move { before, after, by }
-            }
-            _ => Retiming::Nothing,
-        };
-        (wanted != self.done).then(|| {
-            self.done = wanted;
-            Action::Time(TimeAction::Retime(wanted))
-        })
-    }
-
-    /// By how many frames it moves.
-    fn wanted(&self, editor: &Editor) -> f64 {
-        let Some(number) = self.typed.number() else {
-            return self.gone;
-        };
-        let info = editor.document.info();
-        let frames = editor.setup.ruler_frames;
-        let to = |frame: f64| editor.frame_on_path(frame) - as_frame(self.from);
-        // A sign: from where it stood.
-        match (self.typed.has_sign(), frames) {
-            (true, true) => number,
-            (true, false) => number * info.fps,
-            (false, true) => to(number - f64::from(info.first_frame) + 1.0),
-            (false, false) => to(number * info.fps + 1.0),
-        }
-    }
-
-    /// The frame at which it is now.
-    fn at(&self) -> usize {
+    /// Where it is now.
+    fn frame(&self) -> usize {
         match self.done {
             Retiming::Nothing => self.from,
             Retiming::Move { by, .. } => {
@@ -122,62 +41,66 @@ impl KeyDrag {
             Retiming::Copy { to, .. } => to,
         }
     }
+}
 
-    /// Where it is, in numbers, above the ruler.
-    fn tell(&self, editor: &Editor, ui: &Ui, axis: &Axis, top: f32) {
-        let texts = &editor.texts().timeline;
-        let (language, info) = (editor.language(), editor.document.info());
-        let at = self.at();
-        let of_scene = editor.document.frame_of_scene(as_frame(at));
-        let second = language.number((of_scene - 1.0) / info.fps, 2);
-        let by = (as_frame(at) - as_frame(self.from)) / info.fps;
-        let sign = if by > 0.0 { "+" } else { "" };
-        let by = format!("{sign}{}", language.number(by, 2));
-        let frame = editor.frame_for_people(of_scene);
-        let name = editor.name_of(self.of.point, self.of.orientation);
-        let name = match self.done {
-            Retiming::Copy { .. } => fill(texts.copy_of, &[&name]),
-            _ => name,
+impl Moves for KeyDrag {
+    fn go_on(&mut self, pass: &Pass<'_>, to: &To) -> Option<Action> {
+        let playing = &pass.editor.playing;
+        #[allow(clippy::cast_possible_truncation)]
+        let by = to.by.round() as i64;
+        let from = as_count(self.from);
+        // Between the first frame and the last one.
+        let there = by.min(as_count(self.frames) - from).max(1 - from);
+        let wanted = match to.copies {
+            false => (playing.marks).moved(self.beside, by, playing.moves_along),
+            true if there == 0 => Retiming::Nothing,
+            true => Retiming::Copy {
+                of: self.of,
+                to: usize::try_from(from + there).unwrap_or(1),
+            },
         };
-        let mut lines = fill(texts.moved, &[&name, &second, &by, &frame]);
-        if let Retiming::Move { before, after, by } = self.done {
-            let frames = |(_, frames): (Selection, usize), by: i64| as_count(frames) + by;
-            let (before, after) = (frames(before, by), after.map(|after| frames(after, -by)));
-            lines.push('\n');
-            lines += &match after {
-                Some(after) => fill(texts.sections, &[&before, &after]),
-                None => fill(texts.section, &[&before]),
-            };
-        } else if self.beside[0].is_none() {
-            lines += &format!("\n{}", texts.first_stays);
+        (wanted != self.done).then(|| {
+            self.done = wanted;
+            Action::Time(TimeAction::Retime(wanted))
+        })
+    }
+
+    fn at(&self, _editor: &Editor, from: f64) -> f64 {
+        from + as_frame(self.frame()) - as_frame(self.from)
+    }
+
+    fn copies(&self) -> bool {
+        matches!(self.done, Retiming::Copy { .. })
+    }
+
+    fn more(&self, editor: &Editor) -> Vec<String> {
+        let texts = &editor.texts().timeline;
+        let line = match self.done {
+            Retiming::Move { before, after, by } => {
+                let frames = |(_, frames): (Selection, usize), by: i64| as_count(frames) + by;
+                let before = frames(before, by);
+                match after.map(|after| frames(after, -by)) {
+                    Some(after) => fill(texts.sections, &[&before, &after]),
+                    None => fill(texts.section, &[&before]),
+                }
+            }
+            _ if self.beside[0].is_none() => texts.first_stays.to_owned(),
+            _ => return Vec::new(),
+        };
+        vec![line]
+    }
+
+    fn cursor(&self) -> CursorIcon {
+        match self.done {
+            Retiming::Copy { .. } => CursorIcon::Copy,
+            Retiming::Nothing if self.beside[0].is_none() => CursorIcon::NotAllowed,
+            _ => CursorIcon::ResizeHorizontal,
         }
-        if !self.typed.text().is_empty() {
-            let unit = if editor.setup.ruler_frames { "" } else { " s" };
-            lines += &format!("\n› {}{unit}", self.typed.text());
-        }
-        bubble(ui, pos2(axis.x_of(as_frame(at)), top), lines);
     }
 }
 
 fn as_count(frames: usize) -> i64 {
     i64::try_from(frames).unwrap_or(i64::MAX / 4)
-}
-
-/// Words in a box above a place.
-pub(super) fn bubble(ui: &Ui, place: Pos2, words: String) {
-    let palette = theme::palette(ui);
-    let layer = egui::LayerId::new(Order::Tooltip, Id::unique("key in time"));
-    let painter = ui.ctx().layer_painter(layer);
-    let galley = painter.layout_no_wrap(words, theme::text(), palette.text);
-    let room = ui.ctx().content_rect().shrink(4.0);
-    let size = galley.size() + vec2(16.0, 8.0);
-    let most = (room.right() - size.x).max(room.left());
-    let left = (place.x - size.x / 2.0).clamp(room.left(), most);
-    let rect = Rect::from_min_size(pos2(left, place.y - size.y - 4.0), size);
-    let stroke = Stroke::new(1.0, palette.rim);
-    let corners = CornerRadius::same(4);
-    painter.rect(rect, corners, palette.panel, stroke, StrokeKind::Inside);
-    painter.galley(rect.min + vec2(8.0, 4.0), galley, palette.text);
 }
 
 /// Shows the keys in `rect`, whose words above begin at `top`.
@@ -224,11 +147,18 @@ pub(super) fn show(
     pins::of_keys(editor, &painter, (of_scene, axis), rect.y_range());
     let color = super::ruler::colour_of_playhead(editor, ui);
     painter.vline(at, rect.y_range(), Stroke::new(1.0, color));
-    if let Held::Key(drag) = held {
-        drag.tell(editor, ui, axis, top);
-        if *carries {
-            let response = ui.interact(rect, drag.id, Sense::CLICK | Sense::DRAG);
-            carry_on(editor, held, ui, &response, actions);
+    if let Held::Key(drag) = held
+        && *carries
+    {
+        let pass = Pass {
+            editor,
+            ui,
+            response: &ui.interact(rect, drag.of.id, Sense::CLICK | Sense::DRAG),
+            axis: of_scene,
+            top,
+        };
+        if drag.go_on(&pass, actions).is_some() {
+            *held = Held::Nothing;
         }
     }
 }
@@ -350,7 +280,7 @@ fn key(
     let middle = pos2(axis.x_of(mark.first()), rect.center().y);
     let paint = |fill, half| {
         let line = Stroke::new(1.5, palette.field);
-        painter.add(Shape::convex_polygon(sign(middle, half), fill, line));
+        painter.add(diamond(middle, half, fill, line));
     };
     let colour = if selected {
         palette.accent
@@ -374,7 +304,7 @@ fn key(
             false => Action::Select(of),
         });
     }
-    take(editor, held, ui, (&response, of, mark.frame), axis, actions);
+    take(editor, held, ui, (&response, of, mark.frame), actions);
     match response.hovered() {
         true => paint(if selected { colour } else { palette.focus }, SIGN + 1.0),
         false => paint(colour, SIGN),
@@ -389,74 +319,30 @@ fn key(
     });
 }
 
-/// A square on its corner.
-fn sign(middle: Pos2, half: f32) -> Vec<Pos2> {
-    let corners = [
-        vec2(0.0, -half),
-        vec2(half, 0.0),
-        vec2(0.0, half),
-        vec2(-half, 0.0),
-    ];
-    corners.map(|corner| middle + corner).to_vec()
-}
-
 /// Takes the key at a frame by what shows it: its sign or a border of the graph.
 pub(super) fn take(
     editor: &Editor,
     held: &mut Held,
     ui: &Ui,
     (response, of, frame): (&Response, Selection, usize),
-    axis: &Axis,
     actions: &mut Vec<Action>,
 ) {
     if response.hovered() {
         ui.set_cursor_icon(CursorIcon::ResizeHorizontal);
     }
-    if response.drag_started()
-        && !ui.input(|input| input.pointer.middle_down())
-        && let Some(pointer) = ui.input(|input| input.pointer.press_origin())
-    {
-        let what = (response.id, of, frame);
-        *held = Held::Key(Box::new(KeyDrag::new(editor, what, axis, pointer)));
+    if let Some(pointer) = begun(ui, response) {
+        let marks = &editor.playing.marks;
+        let key = KeyDrag {
+            id: response.id,
+            of,
+            from: frame,
+            beside: marks.beside(frame),
+            frames: marks.frames,
+            done: Retiming::Nothing,
+        };
+        let name = editor.name_of(of.point, of.orientation);
+        let from = editor.document.frame_of_scene(as_frame(frame));
+        *held = Held::Key(Drag::new(key, name, from, pointer));
         actions.push(Action::Enter(Entry::Begin));
-        carry_on(editor, held, ui, response, actions);
     }
-}
-
-/// Goes on with what is held, until it is let go or Enter or Escape is pressed.
-fn carry_on(
-    editor: &Editor,
-    held: &mut Held,
-    ui: &Ui,
-    response: &Response,
-    actions: &mut Vec<Action>,
-) {
-    let Held::Key(drag) = held else {
-        return;
-    };
-    if !response.dragged() {
-        ended(ui, response, held, actions);
-        return;
-    }
-    actions.extend(drag.go_on(editor, ui, response));
-    let moves = drag.beside[0].is_some() || drag.done != Retiming::Nothing;
-    ui.set_cursor_icon(match drag.done {
-        Retiming::Copy { .. } => CursorIcon::Copy,
-        _ if moves => CursorIcon::ResizeHorizontal,
-        _ => CursorIcon::NotAllowed,
-    });
-    if ui.input_mut(|input| input.consume_key(egui::Modifiers::NONE, Key::Enter)) {
-        ui.ctx().stop_dragging();
-        *held = Held::Nothing;
-        actions.push(Action::Enter(Entry::End));
-    }
-}
-
-/// Ends a drag; Escape undoes it.
-pub(crate) fn ended(ui: &Ui, response: &Response, held: &mut Held, actions: &mut Vec<Action>) {
-    if !response.drag_stopped() || matches!(held, Held::Nothing) {
-        return;
-    }
-    *held = Held::Nothing;
-    actions.push(Action::Enter(Entry::of_end(ui.ctx())));
 }

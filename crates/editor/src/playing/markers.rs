@@ -9,12 +9,13 @@ use vides_document::Edit;
 use vides_engine::scene::Part;
 
 use super::axis::Axis;
-use super::track_time::Time;
+use super::drag::{Moves, Pass, To, begun};
+use super::key_menu::entry;
 use crate::action::{Action, TimeAction};
 use crate::entry::Entry;
 use crate::state::Editor;
-use crate::state::playing::markers::{Drag, Memory, Renaming};
-use crate::state::playing::tracks::Way;
+use crate::state::playing::drag::Drag;
+use crate::state::playing::markers::{Memory, Moved, Renaming};
 use crate::texts::fill;
 use crate::theme;
 
@@ -69,7 +70,7 @@ pub(super) fn make(editor: &Editor, response: &Response, axis: &Axis, actions: &
     if let Some(at) = response.interact_pointer_pos()
         && response.double_clicked()
     {
-        let frame = Time::new(axis).frame(at.x).round();
+        let frame = axis.frame(at.x).round();
         let name = editor.texts().timeline.new_marker;
         let names = (1..).map(|number: usize| fill(name, &[&number]));
         let free = names
@@ -94,6 +95,21 @@ impl Editor {
     }
 }
 
+impl Moves for Moved {
+    fn go_on(&mut self, _pass: &Pass<'_>, to: &To) -> Option<Action> {
+        let (name, to) = (self.name.clone(), to.frame);
+        let moves = std::mem::replace(&mut self.to, to) != to;
+        moves.then_some(Action::Time(TimeAction::MoveMarker { name, to }))
+    }
+
+    /// Where it could go.
+    fn at(&self, editor: &Editor, from: f64) -> f64 {
+        let edited = editor.document.edited_scene();
+        let now = edited.and_then(|edited| edited.scene().marker(&self.name));
+        now.unwrap_or(from)
+    }
+}
+
 /// Shows them in `rect`, with their names as far as there is room; words above end at `top`.
 pub(super) fn show(
     editor: &Editor,
@@ -108,12 +124,14 @@ pub(super) fn show(
     let mut free = f32::NEG_INFINITY;
     // From left to right, so that each name has the room up to the next one.
     let mut all: Vec<_> = marks.markers_there().collect();
+    // What is held may be taken beyond the ends.
+    let held = memory.held.as_ref().map(|drag| drag.of.name.clone());
+    let is_held = |marker: &&(f64, String)| held.as_ref() == Some(&marker.1);
+    all.retain(|marker| axis.sees(axis.x_of(marker.0)) && !is_held(marker));
+    all.extend(marks.markers.iter().filter(is_held));
     all.sort_by(|a, b| a.0.total_cmp(&b.0));
     for (frame, name) in all {
         let tip = pos2(axis.x_of(*frame), rect.top());
-        if !axis.sees(tip.x) {
-            continue;
-        }
         let galley = painter.layout_no_wrap(name.clone(), FontId::proportional(11.0), palette.weak);
         let most = (rect.right() - galley.size().x).max(rect.left());
         let left = (tip.x + 6.0).min(most);
@@ -124,7 +142,14 @@ pub(super) fn show(
             tip.x + 4.0
         };
         let place = Rect::from_x_y_ranges(tip.x - 4.0..=end, rect.y_range());
-        let response = one(editor, memory, ui, (place, name, top), axis, actions);
+        let response = one(
+            editor,
+            memory,
+            ui,
+            (place, (*frame, name), top),
+            axis,
+            actions,
+        );
         let colour = match response.hovered() || response.dragged() || response.has_focus() {
             true => palette.focus,
             false => palette.weak,
@@ -147,7 +172,7 @@ fn one(
     editor: &Editor,
     memory: &mut Memory,
     ui: &Ui,
-    (place, name, top): (Rect, &str, f32),
+    (place, (frame, name), top): (Rect, (f64, &str), f32),
     axis: &Axis,
     actions: &mut Vec<Action>,
 ) -> Response {
@@ -161,48 +186,33 @@ fn one(
     if response.hovered() || response.dragged() {
         ui.set_cursor_icon(CursorIcon::ResizeHorizontal);
     }
-    let edited = editor.document.edited_scene();
-    let now = edited.and_then(|edited| edited.scene().marker(name));
-    let time = Time::new(axis);
-    if response.drag_started()
-        && !ui.input(|input| input.pointer.middle_down() || input.pointer.secondary_down())
-        && let Some((pointer, from)) = ui.input(|input| input.pointer.press_origin()).zip(now)
-    {
-        memory.held = Some(Drag {
+    if let Some(pointer) = begun(ui, &response) {
+        let of = Moved {
             name: name.to_owned(),
-            from,
-            to: from,
-            way: Way::begin(pointer.x),
-        });
+            to: frame,
+        };
+        memory.held = Some(Drag::new(of, label, frame, pointer));
         actions.push(Action::Enter(Entry::Begin));
     }
-    if let Some(drag) = memory.held.as_mut().filter(|drag| drag.name == name) {
-        if response.dragged() {
-            let to = drag.way.go_on(editor, ui, &response, (&time, drag.from));
-            if to != drag.to {
-                drag.to = to;
-                let name = name.to_owned();
-                actions.push(Action::Time(TimeAction::MoveMarker { name, to }));
-            }
-            let at = now.unwrap_or(drag.from);
-            drag.way
-                .tell(editor, ui, &label, (&time, drag.from, at), top);
-        } else {
+    if let Some(drag) = memory.held.as_mut().filter(|drag| drag.of.name == name) {
+        let pass = Pass {
+            editor,
+            ui,
+            response: &response,
+            axis,
+            top,
+        };
+        if drag.go_on(&pass, actions).is_some() {
             memory.held = None;
-            if response.drag_stopped() {
-                actions.push(Action::Enter(Entry::of_end(ui.ctx())));
-            }
         }
     }
     Popup::context_menu(&response).show(|ui| {
-        if ui.add(Button::new(texts.rename_marker)).clicked() {
+        if entry(ui, Button::new(texts.rename_marker), "") {
             memory.rename(name);
-            ui.close();
         }
-        let remove = ui.add(Button::new(texts.remove_marker));
-        if remove.on_hover_text(texts.remove_marker_hint).clicked() {
+        let remove = Button::new(texts.remove_marker);
+        if entry(ui, remove, texts.remove_marker_hint) {
             actions.push(Action::Edits(vec![set(name, None)]));
-            ui.close();
         }
     });
     renamed(editor, memory, &response, name, actions);

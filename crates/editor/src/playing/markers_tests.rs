@@ -1,53 +1,15 @@
 //! Tests of [`super`], by mouse and keys as in the window.
 
-use egui::{Event, PointerButton, Pos2};
-use egui_kittest::Harness;
+use egui::{Event, PointerButton};
 use egui_kittest::kittest::Queryable;
-use vides_document::Document;
-use vides_engine::path::CameraPath;
-use vides_engine::scene::{Extrapolation, FollowPath, Kind, Node, Scene};
 
 use super::*;
+use crate::playing::tracks::tests::*;
 use crate::screenshots::screenshot;
 use crate::setup::Theme;
 use crate::space::tests::{motion, press, release, tap};
-use crate::tests::{BOTH, LARGE, options, window_of};
+use crate::tests::{BOTH, LARGE};
 use crate::texts::Language;
-
-type Window = Harness<'static, Editor>;
-
-fn steps_on(harness: &mut Window) {
-    for _ in 0..4 {
-        harness.step();
-    }
-}
-
-/// Two cameras on paths of 121 frames.
-fn window(language: Language) -> Window {
-    let mut scene = Scene::new();
-    for name in ["camera", "other"] {
-        let mut node = Node::new(name, Kind::Camera(Default::default()));
-        let path = FollowPath::new(CameraPath::default(), 1.0, Extrapolation::Hold).unwrap();
-        node.set_path(Some(path)).unwrap();
-        scene.add(node).unwrap();
-    }
-    let mut document = Document::new();
-    document.apply(Edit::ReplaceScene(Box::new(scene))).unwrap();
-    let options = crate::Options {
-        document: document.as_opened(),
-        ..options(language)
-    };
-    window_of(options, LARGE, 1.0, Theme::Light)
-}
-
-fn place(harness: &Window, frame: f64) -> Pos2 {
-    let name = harness.state().texts().space.timeline;
-    let bar = harness.get_by_label(name).rect();
-    let (first, last) = harness.state().playing.axis;
-    let width = f64::from(bar.width() - 16.0);
-    let x = f64::from(bar.left()) + 8.0 + width * (frame - first) / (last - first);
-    pos2(x as f32, bar.center().y)
-}
 
 fn markers(harness: &Window) -> Vec<(String, f64)> {
     let edited = harness.state().document.edited_scene().unwrap();
@@ -57,34 +19,23 @@ fn markers(harness: &Window) -> Vec<(String, f64)> {
         .collect()
 }
 
-fn click(harness: &mut Window, at: Pos2) {
-    press(harness, at, PointerButton::Primary);
-    release(harness, at, PointerButton::Primary);
-}
-
-fn drag(harness: &mut Window, from: Pos2, to: Pos2) {
-    press(harness, from, PointerButton::Primary);
-    for step in 1..=4_u8 {
-        motion(harness, from + (to - from) * (f32::from(step) / 4.0));
-    }
-    release(harness, to, PointerButton::Primary);
-    steps_on(harness);
-}
-
 /// Made, moved, renamed, removed: each one step.
 #[test]
 fn a_marker_is_made_moved_renamed_and_removed() {
     for language in BOTH {
         let texts = &language.texts().timeline;
-        let mut harness = window(language);
-        let at = place(&harness, 40.0);
+        let mut harness = window_in(language, LARGE, Theme::Light);
+        let ruler = harness.get_by_label(language.texts().space.timeline).rect();
+        let at = pos2(x_of(&harness, 40.0), ruler.center().y);
         // The passes of a test are far apart.
         let options = |options: &mut egui::Options| {
             options.input_options.max_double_click_delay = 5.0;
         };
         harness.ctx.options_mut(options);
-        click(&mut harness, at);
-        click(&mut harness, at);
+        for _ in 0..2 {
+            press(&mut harness, at, PointerButton::Primary);
+            release(&mut harness, at, PointerButton::Primary);
+        }
         steps_on(&mut harness);
         let name = fill(texts.new_marker, &[&1]);
         assert_eq!(markers(&harness), [(name.clone(), 40.0)]);
@@ -92,11 +43,10 @@ fn a_marker_is_made_moved_renamed_and_removed() {
         let sign = harness.get_by_label(&label).rect();
         assert!((sign.left() + 4.0 - at.x).abs() <= 0.5);
         let from = sign.left_center() + vec2(4.0, 0.0);
-        let by = vec2(place(&harness, 60.0).x - at.x, 0.0);
+        let by = vec2(x_of(&harness, 60.0) - at.x, 0.0);
         drag(&mut harness, from, from + by);
         assert_eq!(markers(&harness), [(name.clone(), 60.0)]);
-        click(&mut harness, from + by);
-        steps_on(&mut harness);
+        click(&mut harness, from + by, PointerButton::Primary);
         tap(&mut harness, Key::F2, Modifiers::NONE);
         steps_on(&mut harness);
         screenshot(&mut harness, &format!("marker-{language:?}.png"));
@@ -105,8 +55,7 @@ fn a_marker_is_made_moved_renamed_and_removed() {
         tap(&mut harness, Key::Enter, Modifiers::NONE);
         steps_on(&mut harness);
         assert_eq!(markers(&harness), [("meeting".to_owned(), 60.0)]);
-        click(&mut harness, from + by);
-        steps_on(&mut harness);
+        click(&mut harness, from + by, PointerButton::Primary);
         tap(&mut harness, Key::Delete, Modifiers::NONE);
         steps_on(&mut harness);
         assert_eq!(markers(&harness), []);
@@ -123,11 +72,11 @@ fn a_marker_is_made_moved_renamed_and_removed() {
 /// Where a drag cannot be met the last place that could be stays, and why is told.
 #[test]
 fn a_marker_stops_where_its_pins_cannot_follow() {
-    let mut harness = window(Language::English);
+    let mut harness = window_in(Language::English, LARGE, Theme::Light);
     for (name, point, frame) in [("a", 0, 1.0), ("b", 1, 121.0)] {
         let editor = harness.state_mut();
         editor.document.apply(set(name, Some(frame))).unwrap();
-        let (node, marker) = (1, Some(name.to_owned()));
+        let (node, marker) = (0, Some(name.to_owned()));
         let pin = Part::Pin {
             node,
             point,
@@ -140,7 +89,7 @@ fn a_marker_stops_where_its_pins_cannot_follow() {
     let sign = harness.get_by_label(&label).rect();
     let from = sign.left_center() + vec2(4.0, 0.0);
     let before = markers(&harness);
-    let to = pos2(place(&harness, 121.0).x, from.y);
+    let to = pos2(x_of(&harness, 121.0), from.y);
     press(&mut harness, from, PointerButton::Primary);
     for step in 1..=40_u8 {
         motion(&mut harness, from + (to - from) * (f32::from(step) / 40.0));

@@ -5,6 +5,7 @@
 pub(crate) mod axis;
 mod buttons;
 mod curve;
+mod drag;
 mod fields;
 mod graph;
 mod graph_drag;
@@ -30,7 +31,6 @@ mod track_graph;
 mod track_keys;
 pub(crate) mod track_menu;
 mod track_rows;
-mod track_time;
 mod tracks;
 mod zoom;
 
@@ -314,7 +314,9 @@ impl Editor {
         }
         let (first, last) = playing.marks.range;
         playing.frame = playing.frame.map(|frame| frame.clamp(first, last));
-        if !(self.document.in_step() && self.document.edited_scene().is_some()) {
+        let held = matches!(playing.speeds.held, graph::Held::Key(_));
+        let stays = held || self.document.edited_scene().is_some();
+        if !(stays && self.document.in_step()) {
             playing.axis = playing.marks.range;
         }
         let ordered = playing.ordered.take();
@@ -419,14 +421,10 @@ fn bar(editor: &Editor, memory: &mut graph::Memory, ui: &mut Ui, actions: &mut V
             (left.with_max_x(left.right() - theme::GAP), right)
         };
         let (left, right) = parts(row(ruler::HEIGHT));
-        let frames = match &memory.held {
-            graph::Held::Key(drag) => drag.all,
-            _ => editor.playing.axis,
-        };
         let begin = right.left() + END;
         // A window may be one pixel wide.
         let rail = Rangef::new(begin, (right.right() - END).max(begin + 1.0));
-        let axis = Axis::new(rail, frames, editor.playing.seen);
+        let axis = Axis::new(rail, editor.playing.axis, editor.playing.seen);
         let time = Rect::from_min_max(right.min, pos2(right.right(), edge.bottom()));
         zoom::by_keys(editor, ui, &axis, actions);
         ruler::unit(editor, ui, left.shrink2(egui::vec2(0.0, 1.0)), actions);

@@ -6,7 +6,7 @@ use vides_document::{Edit, EditedScene};
 use vides_engine::scene::Part;
 
 use super::axis::Axis;
-use super::track_time::Time;
+use super::key_menu::entry;
 use crate::action::Action;
 use crate::state::Editor;
 use crate::theme;
@@ -35,17 +35,14 @@ pub(crate) fn menu(editor: &Editor, ui: &mut Ui, point: usize, actions: &mut Vec
             (Some(name.clone()), name)
         });
         for (marker, words) in std::iter::once(none).chain(all) {
-            let button = ui.add(Button::selectable(marker == now, words));
-            if button.on_hover_text(texts.pin_hint).clicked() {
-                if marker != now {
-                    let part = Part::Pin {
-                        node,
-                        point,
-                        marker,
-                    };
-                    actions.push(Action::Edits(vec![Edit::Part(Box::new(part))]));
-                }
-                ui.close();
+            let button = Button::selectable(marker == now, words);
+            if entry(ui, button, texts.pin_hint) && marker != now {
+                let part = Part::Pin {
+                    node,
+                    point,
+                    marker,
+                };
+                actions.push(Action::Edits(vec![Edit::Part(Box::new(part))]));
             }
         }
     });
@@ -62,13 +59,12 @@ pub(super) fn of_keys(
     let Some(edited) = editor.document.edited_scene() else {
         return;
     };
-    let time = Time::new(of_scene);
     for (point, marker) in edited.pinned() {
         let mut keys = editor.playing.marks.keys.iter();
         let key = keys.find(|mark| mark.point == point);
         let frame = edited.scene().marker(&marker);
         if let Some((key, frame)) = key.zip(frame) {
-            let from = pos2(time.x(frame), rows.min);
+            let from = pos2(of_scene.place(frame), rows.min);
             join(painter, [from, pos2(axis.x_of(key.first()), rows.center())]);
         }
     }
@@ -78,7 +74,7 @@ pub(super) fn of_keys(
 pub(super) fn of_bar(
     edited: &EditedScene,
     painter: &Painter,
-    time: &Time,
+    axis: &Axis,
     (node, top, rows): (usize, f32, Rangef),
 ) {
     let of_scene = edited.scene().pins().iter();
@@ -87,8 +83,8 @@ pub(super) fn of_bar(
     let all = of_scene.map(|pin| pin.marker.clone());
     for marker in all.chain(own.map(|pin| pin.1)) {
         if let Some(frame) = edited.scene().marker(&marker) {
-            let x = time.x(frame);
-            if time.axis.sees(x) {
+            let x = axis.place(frame);
+            if axis.sees(x) {
                 join(painter, [pos2(x, top), pos2(x, rows.center())]);
             }
         }

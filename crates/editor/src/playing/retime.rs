@@ -23,7 +23,7 @@ impl Marks {
     }
 
     /// By how many frames a key between these may move; `moves_along`: with all behind it.
-    pub(super) fn reach(&self, beside: Beside, moves_along: bool) -> (i64, i64) {
+    fn reach(&self, beside: Beside, moves_along: bool) -> (i64, i64) {
         let count = |frames: usize| i64::try_from(frames).unwrap_or(i64::MAX);
         let [Some((_, before)), after] = beside else {
             return (0, 0);
@@ -35,6 +35,18 @@ impl Marks {
                 let most = vides_engine::limits::MAX_FRAMES.saturating_sub(self.frames);
                 (least, count(most))
             }
+        }
+    }
+
+    /// What moves a key between these by so many frames, or as many as can be.
+    pub(super) fn moved(&self, beside: Beside, by: i64, moves_along: bool) -> Retiming {
+        let (least, most) = self.reach(beside, moves_along);
+        match (by.min(most).max(least), beside) {
+            (by, [Some(before), after]) if by != 0 => {
+                let after = after.filter(|_| !moves_along);
+                Retiming::Move { before, after, by }
+            }
+            _ => Retiming::Nothing,
         }
     }
 }

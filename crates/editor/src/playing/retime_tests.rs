@@ -1,13 +1,14 @@
 //! Tests of [`super`], by mouse and keys as in the window.
 
-use egui::{Event, Key, Modifiers, PointerButton, Pos2, vec2};
+use egui::{Key, Modifiers, PointerButton, Pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use vides_engine::path::Change;
 
 use super::*;
+use crate::playing::tracks::tests as tracks;
 use crate::screenshots::screenshot;
-use crate::space::tests::{motion, press, pyramid_window, release, tap};
+use crate::space::tests::{hold, press, pyramid_window, release, tap};
 
 type Window = Harness<'static, Editor>;
 
@@ -53,12 +54,8 @@ fn selection(name: &str) -> Selection {
 /// Takes a key and goes so many frames aside; it is still held.
 fn take(harness: &mut Window, name: &str, frames: f32) -> Pos2 {
     let (at, frame) = key(harness, name);
-    press(harness, at, PointerButton::Primary);
     let to = at + vec2(frames * frame, 0.0);
-    for step in 1..=4_u8 {
-        motion(harness, at + (to - at) * (f32::from(step) / 4.0));
-    }
-    harness.step();
+    tracks::take(harness, at, to);
     to
 }
 
@@ -68,20 +65,10 @@ fn drag(harness: &mut Window, name: &str, frames: f32) {
     harness.run();
 }
 
-fn modifiers(harness: &mut Window, modifiers: Modifiers) {
-    harness.event(Event::ModifiersChanged(modifiers));
-    harness.step();
-}
-
-fn type_text(harness: &mut Window, text: &str) {
-    harness.event(Event::Text(text.to_owned()));
-    harness.step();
-    harness.step();
-}
-
+/// By its sign, or by the border of the graph where it stands.
 #[test]
 fn a_dragged_key_takes_its_frames_from_its_neighbours() {
-    for name in ["3", "4.2", "5"] {
+    for (name, border) in [("3", None), ("4.2", None), ("5", None), ("3", Some(2))] {
         let mut harness = pyramid_window();
         let before = times(&harness);
         let selected = harness.state().playing.marks.keys.clone();
@@ -90,7 +77,15 @@ fn a_dragged_key_takes_its_frames_from_its_neighbours() {
             .position(|mark| Selection::at(mark.point, mark.orientation) == selection(name));
         let number = number.unwrap();
         let steps = harness.state().document.state_number();
-        drag(&mut harness, name, 20.0);
+        match border {
+            None => drag(&mut harness, name, 20.0),
+            Some(section) => {
+                let label = format!("End of section {section}");
+                let at = harness.get_by_label(&label).rect().center();
+                let by = 20.0 * key(&harness, name).1;
+                tracks::drag(&mut harness, at, at + vec2(by, 0.0));
+            }
+        }
         let after = times(&harness);
         let moved = after[number] - before[number];
         assert!((19..=21).contains(&moved), "{name}: {before:?} {after:?}");
@@ -103,62 +98,6 @@ fn a_dragged_key_takes_its_frames_from_its_neighbours() {
         assert_eq!(times(&harness), before);
         assert!(!harness.state().document.can_undo());
     }
-}
-
-/// "Move a key by two seconds and keep the end": 50 frames, typed while it is held.
-#[test]
-fn numbers_are_typed_while_a_key_is_held() {
-    for (typed, frames, expected) in [
-        ("+2", false, 50),
-        ("-1,5", false, -38),
-        ("7", false, 176 - 155),
-        ("200", true, 200 - 155),
-    ] {
-        let mut harness = pyramid_window();
-        let before = times(&harness);
-        assert_eq!(before[2], 155);
-        harness.state_mut().setup.ruler_frames = frames;
-        harness.step();
-        let to = take(&mut harness, "3", 9.0);
-        for sign in typed.chars() {
-            type_text(&mut harness, &sign.to_string());
-        }
-        screenshot(&mut harness, &format!("key-typed-{typed}.png"));
-        let by = |harness: &Window| times(harness)[2] as i64 - before[2] as i64;
-        assert_eq!(by(&harness), expected, "{typed}");
-        tap(&mut harness, Key::Enter, Modifiers::NONE);
-        // It is let go: the mouse moves nothing any more.
-        motion(&mut harness, to + vec2(60.0, 0.0));
-        release(&mut harness, to + vec2(60.0, 0.0), PointerButton::Primary);
-        harness.run();
-        assert_eq!(by(&harness), expected, "{typed}");
-        assert_eq!(times(&harness).last(), before.last());
-        tap(&mut harness, Key::Z, Modifiers::CTRL);
-        assert_eq!(times(&harness), before);
-    }
-}
-
-#[test]
-fn with_shift_it_goes_ten_times_finer_and_escape_gives_it_back() {
-    let mut harness = pyramid_window();
-    let text = harness.state().document.to_toml().unwrap();
-    let before = times(&harness);
-    let (_, frame) = key(&harness, "2");
-    let to = take(&mut harness, "3", 30.0);
-    let coarse = times(&harness)[2];
-    assert!((184..=186).contains(&coarse), "{coarse}");
-    modifiers(&mut harness, Modifiers::SHIFT);
-    motion(&mut harness, to + vec2(100.0 * frame, 0.0));
-    harness.step();
-    let fine = times(&harness)[2] - coarse;
-    assert!((9..=11).contains(&fine), "{fine}");
-    modifiers(&mut harness, Modifiers::NONE);
-    tap(&mut harness, Key::Escape, Modifiers::NONE);
-    assert_eq!(times(&harness), before);
-    release(&mut harness, to, PointerButton::Primary);
-    harness.run();
-    assert_eq!(harness.state().document.to_toml().unwrap(), text);
-    assert!(!harness.state().document.can_undo());
 }
 
 #[test]
@@ -220,11 +159,11 @@ fn with_ctrl_a_copy_stands_where_it_is_dropped() {
     let original = at(&harness, before[1] as f64);
     // The second key, into the section behind the third one.
     let to = take(&mut harness, "2", 150.0);
-    modifiers(&mut harness, Modifiers::CTRL);
+    hold(&mut harness, Modifiers::CTRL);
     harness.step();
     screenshot(&mut harness, "key-copied.png");
     release(&mut harness, to, PointerButton::Primary);
-    modifiers(&mut harness, Modifiers::NONE);
+    hold(&mut harness, Modifiers::NONE);
     harness.run();
     let after = times(&harness);
     assert_eq!(after.len(), before.len() + 1);
@@ -252,9 +191,9 @@ fn a_copy_beside_its_key_is_a_rest() {
     let before = times(&harness);
     for by in [30.0, -30.0] {
         let to = take(&mut harness, "3", by);
-        modifiers(&mut harness, Modifiers::CTRL);
+        hold(&mut harness, Modifiers::CTRL);
         release(&mut harness, to, PointerButton::Primary);
-        modifiers(&mut harness, Modifiers::NONE);
+        hold(&mut harness, Modifiers::NONE);
         harness.run();
         let point = &harness.state().document.path().points[2];
         let hold = point.orientations[0].hold;
@@ -269,10 +208,10 @@ fn a_copy_beside_its_key_is_a_rest() {
     }
     // Where the camera cannot rest nothing is changed, and it says so.
     let to = take(&mut harness, "6", -30.0);
-    modifiers(&mut harness, Modifiers::CTRL);
+    hold(&mut harness, Modifiers::CTRL);
     assert!(harness.state().message.as_ref().unwrap().error);
     release(&mut harness, to, PointerButton::Primary);
-    modifiers(&mut harness, Modifiers::NONE);
+    hold(&mut harness, Modifiers::NONE);
     harness.run();
     assert_eq!(times(&harness), before);
     assert!(!harness.state().document.can_undo());
@@ -311,7 +250,7 @@ fn a_click_selects_a_key_and_with_ctrl_one_more() {
         assert_eq!(harness.state().document.selection(), selection(name));
         assert!(!harness.state().document.can_undo());
     }
-    modifiers(&mut harness, Modifiers::CTRL);
+    hold(&mut harness, Modifiers::CTRL);
     let (at, _) = key(&harness, "5");
     press(&mut harness, at, PointerButton::Primary);
     release(&mut harness, at, PointerButton::Primary);

@@ -179,17 +179,14 @@ fn move_current(editor: &Editor, by: i64, actions: &mut Vec<Action>) {
         return;
     };
     let beside = playing.marks.beside(mark.frame);
-    let along = playing.moves_along;
-    let (least, most) = playing.marks.reach(beside, along);
-    let by = by.max(least).min(most);
-    if let ([Some(before), after], true) = (beside, by != 0) {
-        let after = after.filter(|_| !along);
-        let moved = Retiming::Move { before, after, by };
-        let step = [
+    let moved = playing.marks.moved(beside, by, playing.moves_along);
+    if moved != Retiming::Nothing {
+        let moved = Action::Time(TimeAction::Retime(moved));
+        actions.extend([
             Action::Enter(Entry::Begin),
-            Action::Time(TimeAction::Retime(moved)),
-        ];
-        actions.extend(step.into_iter().chain([Action::Enter(Entry::End)]));
+            moved,
+            Action::Enter(Entry::End),
+        ]);
     }
 }
 

@@ -7,6 +7,7 @@ use vides_engine::limits::{MAX_HOLD, SPEEDS};
 use vides_engine::path::{Orientation, Pace};
 
 use super::axis::Axis;
+use super::key_menu::entry;
 use super::pins;
 use crate::action::Action;
 use crate::playing::axis::as_frame;
@@ -32,10 +33,9 @@ pub(super) fn show(editor: &Editor, response: &Response, axis: &Axis, actions: &
         }
         ui.separator();
         let texts = editor.texts();
-        let large = ui.add(Button::new(texts.menu.speeds));
-        if large.on_hover_text(texts.menu_hints.speeds).clicked() {
+        let large = Button::new(texts.menu.speeds);
+        if entry(ui, large, texts.menu_hints.speeds) {
             actions.push(Action::SpeedCurve);
-            ui.close();
         }
     });
 }
@@ -85,11 +85,10 @@ pub(super) fn of_key(
             0 => (texts.rest, texts.rest_hint, second),
             _ => (texts.no_rest, texts.no_rest_hint, 0),
         };
-        if ui.button(words).on_hover_text(hint).clicked() {
+        if entry(ui, Button::new(words), hint) {
             let edit = view(of).map(|view| with(of, view, |new| new.hold = hold));
             actions.push(Action::Select(of));
             actions.extend(edit.map(Action::Edit));
-            ui.close();
         }
         pins::menu(editor, ui, of.point, actions);
     });
@@ -99,6 +98,7 @@ pub(super) fn of_key(
 mod tests {
     use egui::PointerButton;
 
+    use crate::playing::tracks::tests as hands;
     use crate::screenshots::screenshot;
     use crate::tests::*;
     use crate::texts::fill;
@@ -114,18 +114,7 @@ mod tests {
             let row = window.get_by_role_and_label(Role::Canvas, texts.timeline.all_sections);
             let row = row.rect();
             let click = |window: &mut Window, share: f32, button| {
-                let pos = row.lerp_inside(vec2(share, 0.5));
-                window.hover_at(pos);
-                window.run();
-                for pressed in [true, false] {
-                    window.event(egui::Event::PointerButton {
-                        pos,
-                        button,
-                        pressed,
-                        modifiers: Modifiers::NONE,
-                    });
-                    window.run();
-                }
+                hands::click(window, row.lerp_inside(vec2(share, 0.5)), button);
             };
             let speeds = |window: &Window| window.state().orientation().expect("a view").speeds;
             click(&mut window, 0.1, PointerButton::Primary);
@@ -154,18 +143,7 @@ mod tests {
             let click_key = |harness: &mut Window, point: usize| {
                 let name = harness.state().name_of(point, 0);
                 let place = harness.get_by_label(&fill(texts.key, &[&name])).rect();
-                let pos = place.center();
-                harness.hover_at(pos);
-                harness.run();
-                for pressed in [true, false] {
-                    harness.event(egui::Event::PointerButton {
-                        pos,
-                        button: PointerButton::Secondary,
-                        pressed,
-                        modifiers: Modifiers::NONE,
-                    });
-                    harness.run();
-                }
+                hands::click(harness, place.center(), PointerButton::Secondary);
             };
             let path = |window: &Window| window.state().document.path().clone();
             let before = path(&harness);

@@ -4,10 +4,11 @@
 use egui::{Context, Event, Key, Modifiers};
 use vides_document::error::{Refused, Result};
 use vides_document::{Document, Edit};
-use vides_engine::scene::{Channel, Interpolation, KeyList, Node, Part, Track};
+use vides_engine::scene::{Channel, KeyList, Node, Part, Track};
 
-use super::key_motion::{by_track, keys_at, removed};
-use super::track_menu::{angles, by_angles, quaternions, smooth};
+use super::key_motion::{Place, by_track, keys_at, removed};
+use super::track_curve::Of;
+use super::track_menu::{converted, of_keys};
 use crate::action::Action;
 use crate::state::Editor;
 use crate::texts::fill;
@@ -93,7 +94,7 @@ impl Editor {
         if self.copy_keys(context) {
             let said = self.message.take();
             let keys = self.selected_keys();
-            self.act(Action::Edits(removed(&keys)), context);
+            self.act(Action::Edits(removed(&self.document, &keys)), context);
             self.select_keys(Vec::new());
             self.message = self.message.take().or(said);
         }
@@ -101,35 +102,18 @@ impl Editor {
 
     fn keys_as_text(&self) -> Result<String> {
         let edited = self.document.edited_scene().ok_or(Refused::NoScene)?;
-        let mut nodes: Vec<(usize, Vec<Track>)> = Vec::new();
-        for (node, channel, which) in by_track(&self.selected_keys()) {
-            let of = edited.scene().node(node)?;
-            let Some(track) = of.keys().track(&channel) else {
-                continue;
-            };
-            let KeyList {
-                frames,
-                values,
-                shape,
-            } = track.keys(&which)?;
-            let by = track.interpolation().clone();
-            let (before, after) = track.extrapolation();
-            let part = Track::new(channel, by, frames, values, shape)?;
-            let part = part.with_extrapolation(before, after)?;
-            match nodes.last_mut() {
-                Some((last, tracks)) if *last == node => tracks.push(part),
-                _ => nodes.push((node, vec![part])),
-            }
-        }
-        let tracks = nodes.iter().flat_map(|(_, tracks)| tracks);
-        let first = tracks
-            .map(|track| track.ends().0)
-            .fold(f64::INFINITY, f64::min);
+        let tracks = by_track(edited, &self.selected_keys());
+        let first = tracks.iter().map(|(of, keys)| of.track.frames()[keys[0]]);
+        let first = first.fold(f64::INFINITY, f64::min);
+        let moved = |(of, keys): &(Of<'_>, Vec<usize>)| {
+            let keys = of.track.keys(keys)?;
+            moved(of.track, keys, -first)
+        };
         let mut named = Vec::new();
-        for (node, tracks) in nodes {
-            let moved: Result<Vec<Track>> =
-                tracks.iter().map(|track| moved(track, -first)).collect();
-            named.push((edited.scene().node(node)?.name.clone(), moved?));
+        for of_node in tracks.chunk_by(|(a, _), (b, _)| a.node == b.node) {
+            let moved: Result<Vec<Track>> = of_node.iter().map(moved).collect();
+            let node = edited.scene().node(of_node[0].0.node)?;
+            named.push((node.name.clone(), moved?));
         }
         Document::keys_as_text(&named)
     }
@@ -156,7 +140,7 @@ impl Editor {
             self.pasted_keys(node, tracks)
         });
         let pasted: Result<Vec<_>> = pasted.collect();
-        let pasted: Vec<Pasted> = match pasted {
+        let pasted: Vec<_> = match pasted {
             Ok(pasted) => pasted.into_iter().flatten().collect(),
             Err(error) => {
                 let why = of_edit(self.language(), &error);
@@ -166,55 +150,39 @@ impl Editor {
         if pasted.is_empty() {
             return self.complain(texts.fits_no_channel);
         }
-        let (edits, places): (Vec<_>, Vec<_>) = pasted
-            .into_iter()
-            .map(|of| (of.edit, ((of.node, of.channel), of.frames)))
-            .unzip();
-        let count: usize = places.iter().map(|(_, frames)| frames.len()).sum();
+        let (edits, places): (Vec<_>, Vec<_>) = pasted.into_iter().unzip();
+        let count: usize = places.iter().map(|(.., frames)| frames.len()).sum();
         if self.edit_all(edits) {
-            self.select_keys(keys_at(&self.document, places.into_iter()));
+            self.select_keys(keys_at(&self.document, &places));
             self.say_done(fill(self.texts().timeline.keys_pasted, &[&count]));
         }
     }
 
-    /// The edits that put keys into a node.
-    fn pasted_keys(&self, node: usize, tracks: &[Track]) -> Result<Vec<Pasted>> {
+    /// The edits that put keys into a node, and where these lie then.
+    fn pasted_keys(&self, node: usize, tracks: &[Track]) -> Result<Vec<(Edit, Place)>> {
         let edited = self.document.edited_scene().ok_or(Refused::NoScene)?;
         let of = edited.scene().node(node)?;
         // No minus zero.
         let by = self.previewed_frame()?.round() + 0.0;
         let mut all = Vec::new();
         for track in tracks.iter().filter(|track| fits(of, track)) {
-            let moved = moved(track, by)?;
-            let frames = moved.frames().to_vec();
+            let moved = moved(track, converted(track, track.interpolation()), by)?;
             let there = of.keys().track(track.channel());
             let channel = there.map_or(track.channel(), Track::channel).clone();
+            let place = (node, channel.clone(), moved.frames().to_vec());
             let part = match there {
                 Some(there) => Part::Keys {
                     node,
-                    channel: channel.clone(),
+                    channel,
                     remove: Vec::new(),
-                    put: as_keys_of(there, &moved),
+                    put: converted(&moved, there.interpolation()),
                 },
-                None => Part::track(node, channel.clone(), Some(moved))?,
+                None => Part::track(node, channel, Some(moved))?,
             };
-            all.push(Pasted {
-                node,
-                channel,
-                frames,
-                edit: Edit::Part(Box::new(part)),
-            });
+            all.push((Edit::Part(Box::new(part)), place));
         }
         Ok(all)
     }
-}
-
-/// Keys that come into a track.
-struct Pasted {
-    node: usize,
-    channel: Channel,
-    frames: Vec<f64>,
-    edit: Edit,
 }
 
 /// Whether a node has a channel for these keys.
@@ -232,37 +200,10 @@ fn fits(of: &Node, track: &Track) -> bool {
     }
 }
 
-/// The same keys, later by a number of frames.
-fn moved(track: &Track, by: f64) -> Result<Track> {
-    let frames = track.frames().iter().map(|frame| frame + by).collect();
-    let (values, shape) = (track.values().to_vec(), track.shape().to_vec());
-    let (channel, manner) = (track.channel().clone(), track.interpolation().clone());
-    let (before, after) = track.extrapolation();
-    let moved = Track::new(channel, manner, frames, values, shape)?;
-    Ok(moved.with_extrapolation(before, after)?)
-}
-
-/// Keys as a track has them that goes from key to key in its own way.
-fn as_keys_of(there: &Track, new: &Track) -> KeyList {
-    let turns = [there, new].map(|track| by_angles(track.interpolation()));
-    let values = match turns {
-        [false, true] => quaternions(new),
-        [true, false] => angles(new),
-        _ => new.values().to_vec(),
-    };
-    let frames = new.frames().to_vec();
-    let same = there.interpolation() == new.interpolation();
-    let shape = match there.interpolation() {
-        Interpolation::Hermite | Interpolation::Tcb if same => new.shape().to_vec(),
-        Interpolation::Hermite => smooth(&frames, &values, there.width()),
-        Interpolation::Tcb => vec![0.0; 3 * frames.len()],
-        _ => Vec::new(),
-    };
-    KeyList {
-        frames,
-        values,
-        shape,
-    }
+/// Keys of a track, later by a number of frames.
+fn moved(track: &Track, mut keys: KeyList, by: f64) -> Result<Track> {
+    keys.frames.iter_mut().for_each(|frame| *frame += by);
+    of_keys(track, track.interpolation().clone(), keys)
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! Tests of [`super`], by keys as in the window.
 
 use egui::{Key, Modifiers, OutputCommand, ViewportCommand};
-use vides_engine::scene::{Kind, Scene};
+use vides_engine::scene::{Interpolation, Kind, Scene};
 
 use super::super::tracks::tests::*;
 use super::*;
@@ -302,7 +302,7 @@ fn keys_become_those_of_the_track_that_is_there() {
             (Channel::Rotation, 4) => track(Channel::Rotation, Linear, &[100.0, 110.0], &turn),
             _ => there,
         };
-        let keys = as_keys_of(&there, &new);
+        let keys = converted(&new, there.interpolation());
         let near = keys
             .values
             .iter()

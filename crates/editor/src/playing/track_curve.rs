@@ -3,10 +3,13 @@
 //! Between two keys the curve is cut into thirds until it lies near its chords: a curve of the third
 //! degree that crosses its chord at both thirds is that chord.
 
-use vides_engine::math::euler::EulerAngles;
-use vides_engine::scene::{Channel, Extrapolation, Scene, Track, Warnings};
-
 use glam::DQuat;
+use vides_document::{Edit, EditedScene};
+use vides_engine::math::euler::EulerAngles;
+use vides_engine::scene::{Channel, Extrapolation, KeyList, Part, Scene, Track, Warnings};
+
+use crate::state::playing::track_graph::PartOf;
+use crate::state::scene_view::KeyAt;
 
 /// More keys than this in sight: of each column those with the least and the greatest numbers.
 const MOST_KEYS: usize = 4000;
@@ -23,7 +26,50 @@ pub(crate) struct Of<'a> {
     pub(super) track: &'a Track,
 }
 
-impl Of<'_> {
+impl<'a> Of<'a> {
+    pub(super) fn new(edited: &'a EditedScene, node: usize, channel: &Channel) -> Option<Self> {
+        let scene = edited.scene();
+        let track = scene.nodes().get(node)?.keys().track(channel)?;
+        Some(Self { scene, node, track })
+    }
+
+    pub(super) fn key(&self, key: usize) -> KeyAt {
+        let (node, channel) = (self.node, self.track.channel().clone());
+        KeyAt { node, channel, key }
+    }
+
+    pub(super) fn has(&self, at: &KeyAt) -> bool {
+        self.is(at.node, &at.channel)
+    }
+
+    pub(super) fn is(&self, node: usize, channel: &Channel) -> bool {
+        node == self.node && channel.same_as(self.track.channel())
+    }
+
+    /// The key at exactly this frame.
+    pub(super) fn at_frame(&self, frame: f64) -> Option<usize> {
+        let frames = self.track.frames();
+        let key = frames.partition_point(|&key| key < frame);
+        (frames.get(key) == Some(&frame)).then_some(key)
+    }
+
+    /// A number of the key at a frame.
+    pub(super) fn part(&self, frame: f64, part: usize) -> PartOf {
+        let channel = self.track.channel().clone();
+        (self.node, channel, frame.to_bits(), part)
+    }
+
+    /// The edit that puts keys in the place of others.
+    pub(super) fn replaced(&self, remove: Vec<usize>, put: KeyList) -> Edit {
+        let (node, channel) = (self.node, self.track.channel().clone());
+        Edit::Part(Box::new(Part::Keys {
+            node,
+            channel,
+            remove,
+            put,
+        }))
+    }
+
     /// Rotations by quaternions are shown as angles, which are not those of the keys.
     pub(super) fn is_read_only(&self) -> bool {
         is_read_only(self.track)

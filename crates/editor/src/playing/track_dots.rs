@@ -6,8 +6,8 @@ use egui::{Pos2, Rect, pos2, vec2};
 use vides_engine::scene::{Interpolation, Track};
 
 use crate::action::Action;
+use crate::playing::axis::{Axis, REACH};
 use crate::playing::track_curve::{Of, is_read_only};
-use crate::playing::track_time::{REACH, Time};
 use crate::state::playing::track_graph::{Dot, Memory, Parts, Side};
 use crate::state::scene_view::KeyAt;
 
@@ -60,7 +60,7 @@ pub(crate) fn range_of(bounds: Option<(f64, f64)>) -> (f64, f64) {
 
 /// What is seen.
 pub(crate) struct Shown<'a> {
-    pub(crate) time: Time,
+    pub(crate) axis: Axis,
     pub(crate) fit: Fit,
     pub(crate) ground: Rect,
     pub(crate) tracks: Vec<Of<'a>>,
@@ -69,13 +69,12 @@ pub(crate) struct Shown<'a> {
 
 impl<'a> Shown<'a> {
     pub(crate) fn place(&self, of: &Of<'_>, key: usize, part: usize) -> Pos2 {
-        let x = self.time.x(of.track.frames()[key]);
+        let x = self.axis.place(of.track.frames()[key]);
         pos2(x, self.fit.y(of.of_key(key, part)))
     }
 
     pub(crate) fn track_of(&self, at: &KeyAt) -> Option<Of<'a>> {
-        let same = |of: &&Of<'_>| of.node == at.node && of.track.channel().same_as(&at.channel);
-        self.tracks.iter().find(same).copied()
+        self.tracks.iter().find(|of| of.has(at)).copied()
     }
 
     /// Where the handle of a tangent stands.
@@ -88,13 +87,13 @@ impl<'a> Shown<'a> {
     /// The slope in points of a number that changes at this rate per frame.
     #[allow(clippy::cast_possible_truncation)]
     pub(crate) fn rise(&self, slope: f64) -> f32 {
-        let rise = -slope * self.time.axis.frames_per_point() / self.fit.per_point;
+        let rise = -slope * self.axis.frames_per_point() / self.fit.per_point;
         rise.clamp(-1e6, 1e6) as f32
     }
 
     /// The inverse, of a handle at this offset from its key.
     pub(crate) fn slope(&self, way: egui::Vec2) -> f64 {
-        let frames = f64::from(way.x) * self.time.axis.frames_per_point();
+        let frames = f64::from(way.x) * self.axis.frames_per_point();
         -f64::from(way.y) * self.fit.per_point / frames
     }
 
@@ -114,20 +113,22 @@ impl<'a> Shown<'a> {
 
     /// The selected numbers of keys that are in sight.
     pub(crate) fn dots(&self, parts: &Parts) -> Vec<Dot> {
+        let in_sight = |frame| self.axis.sees(self.axis.place(frame));
+        self.all_dots(parts, in_sight)
+    }
+
+    /// The selected numbers of keys at such frames.
+    pub(crate) fn all_dots(&self, parts: &Parts, such: impl Fn(f64) -> bool) -> Vec<Dot> {
         let mut all = Vec::new();
         for at in &self.selected {
             let Some(of) = self.track_of(at) else {
                 continue;
             };
             let frame = of.track.frames()[at.key];
-            if !self.time.axis.sees(self.time.x(frame)) {
-                continue;
+            if such(frame) {
+                let chosen = parts_of(parts, &of, frame).into_iter();
+                all.extend(chosen.map(|part| dot(&of, at.key, part)));
             }
-            let chosen = parts_of(parts, at, frame, of.width());
-            all.extend(chosen.map(|part| Dot {
-                at: at.clone(),
-                part,
-            }));
         }
         all
     }
@@ -138,7 +139,7 @@ impl<'a> Shown<'a> {
                 return Hit::Handle(dot, side);
             }
         }
-        let ends = [at.x - REACH, at.x + REACH].map(|x| self.time.frame(x));
+        let ends = [at.x - REACH, at.x + REACH].map(|x| self.axis.frame(x));
         let mut near: Option<(f32, Dot)> = None;
         for of in &self.tracks {
             for key in keys_between(of.track, ends) {
@@ -156,7 +157,7 @@ impl<'a> Shown<'a> {
 
     /// The numbers of keys within a box.
     pub(crate) fn within(&self, place: Rect) -> Vec<Dot> {
-        let ends = [place.left(), place.right()].map(|x| self.time.frame(x));
+        let ends = [place.left(), place.right()].map(|x| self.axis.frame(x));
         let mut all = Vec::new();
         for of in &self.tracks {
             for key in keys_between(of.track, ends) {
@@ -187,20 +188,14 @@ pub(crate) fn has_handles(track: &Track) -> bool {
     *track.interpolation() == Interpolation::Hermite && !is_read_only(track)
 }
 
-/// Which numbers of a selected key are.
-pub(crate) fn parts_of(
-    parts: &Parts,
-    at: &KeyAt,
-    frame: f64,
-    width: usize,
-) -> impl Iterator<Item = usize> {
-    let key = |part| (at.node, at.channel.clone(), frame.to_bits(), part);
-    let known = parts.range(key(0)..key(usize::MAX));
-    let mut known: Vec<usize> = known.map(|of| of.3).filter(|&part| part < width).collect();
-    if known.is_empty() {
-        known.extend(0..width);
+/// Which numbers of the selected key at a frame are.
+pub(crate) fn parts_of(parts: &Parts, of: &Of<'_>, frame: f64) -> Vec<usize> {
+    let known = parts.range(of.part(frame, 0)..of.part(frame, of.width()));
+    let known: Vec<usize> = known.map(|of| of.3).collect();
+    match known.is_empty() {
+        true => (0..of.width()).collect(),
+        false => known,
     }
-    known.into_iter()
 }
 
 /// Selects these numbers.
@@ -216,8 +211,7 @@ pub(crate) fn select(
         let Some(of) = shown.track_of(&at) else {
             continue;
         };
-        let frame = of.track.frames()[at.key].to_bits();
-        let of_key = (at.node, at.channel.clone(), frame, part);
+        let of_key = of.part(of.track.frames()[at.key], part);
         if memory.parts.insert(of_key) && keys.last() != Some(&at) {
             keys.push(at);
         }
@@ -230,7 +224,6 @@ pub(crate) fn select(
 }
 
 pub(crate) fn dot(of: &Of<'_>, key: usize, part: usize) -> Dot {
-    let (node, channel) = (of.node, of.track.channel().clone());
-    let at = KeyAt { node, channel, key };
+    let at = of.key(key);
     Dot { at, part }
 }

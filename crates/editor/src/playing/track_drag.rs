@@ -4,316 +4,179 @@
 //! Each motion starts from the original keys, so that keys that were passed over
 //! return, and it is one step.
 
-use egui::{CursorIcon, Key, Modifiers, Pos2, Rect, Response, Stroke, StrokeKind, Ui, pos2};
+use egui::{CursorIcon, Pos2, Rect, pos2};
 use vides_document::Edit;
 use vides_engine::scene::Part;
 
-use super::key_row::{FINE, bubble};
-use super::track_time::Time;
+use super::drag::{Moves, PARTS, Pass, To, begun, select_box};
 use crate::action::{Action, TimeAction};
 use crate::entry::Entry;
+use crate::playing::track_dots::keys_between;
 use crate::playing::track_rows::{Hit, Shown, bar_of, channel_name, frame_of};
 use crate::state::Editor;
-use crate::state::playing::tracks::{BarDrag, Change, Held, KeyMotion, KeysDrag, Numbers, Way};
+use crate::state::playing::drag::Drag;
+use crate::state::playing::tracks::{BarDrag, Change, Held, KeyMotion, KeysDrag, Numbers};
 use crate::state::scene_view::KeyAt;
 use crate::texts::fill;
-use crate::theme;
 
-/// Parts of a frame to which keys are moved with Shift.
-const PARTS: f64 = 10.0;
-
-impl Way {
-    pub(super) fn begin(pointer: f32) -> Self {
-        Self {
-            pointer,
-            ..Self::default()
-        }
+impl KeyMotion {
+    /// Begins with keys that stay.
+    pub(super) const fn none(keys: Vec<KeyAt>) -> Self {
+        Self::new(keys, Change::By(0.0), false, Numbers::Stay)
     }
 
-    /// The frame to which `from` moves: a whole one, or a tenth of one with Shift.
-    pub(super) fn go_on(
-        &mut self,
-        editor: &Editor,
-        ui: &Ui,
-        response: &Response,
-        (time, from): (&Time, f64),
-    ) -> f64 {
-        let fine = ui.input(|input| input.modifiers.shift);
-        if let Some(pointer) = response.interact_pointer_pos() {
-            let share = if fine { FINE } else { 1.0 };
-            let each = time.axis.frames_per_point();
-            self.gone += f64::from(pointer.x - self.pointer) * each * share;
-            self.pointer = pointer.x;
-        }
-        ui.input_mut(|input| input.events.retain(|event| !self.typed.take(event)));
-        let to = self.wanted(editor, from);
-        match fine {
-            true => (to * PARTS).round() / PARTS,
-            // What does not move stays where it is, between two frames, too.
-            false if self.gone == 0.0 && self.typed.text().is_empty() => from,
-            false => to.round(),
-        }
-    }
-
-    /// Whether copies are dragged: with Ctrl, which stays so while a number is typed.
-    fn copies(&mut self, held: Modifiers) -> bool {
-        if self.typed.text().is_empty() {
-            self.copies = held.ctrl || held.command;
-        }
-        self.copies
-    }
-
-    fn wanted(&self, editor: &Editor, from: f64) -> f64 {
-        let Some(number) = self.typed.number() else {
-            return from + self.gone;
-        };
-        let info = editor.document.info();
-        // A sign: from where it stood.
-        match (self.typed.has_sign(), editor.setup.ruler_frames) {
-            (true, true) => from + number,
-            (true, false) => from + number * info.fps,
-            (false, true) => number - f64::from(info.first_frame) + 1.0,
-            (false, false) => number * info.fps + 1.0,
-        }
-    }
-
-    /// Where it is, in numbers, above the ruler.
-    pub(super) fn tell(
-        &self,
-        editor: &Editor,
-        ui: &Ui,
-        name: &str,
-        told: (&Time, f64, f64),
-        top: f32,
-    ) {
-        let (time, from, at) = told;
-        let words = self.words(editor, name, (from, at));
-        bubble(ui, pos2(time.x(at), top), words);
-    }
-
-    pub(super) fn words(&self, editor: &Editor, name: &str, (from, at): (f64, f64)) -> String {
-        let (language, info) = (editor.language(), editor.document.info());
-        let second = language.number((at - 1.0) / info.fps, 2);
-        let by = (at - from) / info.fps;
-        let sign = if by > 0.0 { "+" } else { "" };
-        let by = format!("{sign}{}", language.number(by, 2));
-        let frame = at - 1.0 + f64::from(info.first_frame);
-        let frame = match frame.fract() == 0.0 {
-            true => language.number(frame, 0),
-            false => language.number(frame, 1),
-        };
-        let texts = &editor.texts().timeline;
-        let mut lines = fill(texts.moved, &[&name, &second, &by, &frame]);
-        if !self.typed.text().is_empty() {
-            let unit = if editor.setup.ruler_frames { "" } else { " s" };
-            lines += &format!("\n› {}{unit}", self.typed.text());
-        }
-        lines
+    /// Turns into another; what is to be done, if that is another.
+    pub(super) fn turn_into(&mut self, wanted: Self) -> Option<Action> {
+        let same = wanted == *self || wanted.is_nothing() && self.is_nothing();
+        (!same).then(|| {
+            *self = wanted.clone();
+            Action::Time(TimeAction::MoveKeys(Box::new(wanted)))
+        })
     }
 }
 
-impl KeysDrag {
-    fn new(keys: Vec<KeyAt>, from: f64, about: Option<f64>, pointer: f32) -> Self {
-        let done = KeyMotion::new(keys.clone(), Change::By(0.0), false, Numbers::Stay);
-        Self {
-            keys,
-            from,
-            about,
-            way: Way::begin(pointer),
-            done,
+/// What keys are called together, or the one.
+fn name_of(editor: &Editor, keys: &[KeyAt]) -> String {
+    let texts = &editor.texts().timeline;
+    match (keys, editor.document.edited_scene()) {
+        ([one], Some(edited)) => {
+            let node = edited.scene().nodes().get(one.node);
+            let node = node.map_or("", |node| node.name.as_str());
+            let channel = channel_name(editor, &one.channel);
+            fill(texts.channel_of, &[&channel, &node])
         }
+        (all, _) => fill(texts.keys_selected, &[&all.len()]),
     }
+}
 
-    /// What is to be done, if that is another.
-    fn go_on(
-        &mut self,
-        editor: &Editor,
-        ui: &Ui,
-        response: &Response,
-        time: &Time,
-    ) -> Option<Action> {
-        let held = ui.input(|input| input.modifiers);
-        let to = self.way.go_on(editor, ui, response, (time, self.from));
-        let (to, copies) = match self.about {
-            None => (Change::By(to - self.from), self.way.copies(held)),
+/// Takes keys; `about`: their time is scaled, as this frame stays.
+fn keys_drag(
+    editor: &Editor,
+    keys: Vec<KeyAt>,
+    (from, about): (f64, Option<f64>),
+    at: Pos2,
+) -> Held {
+    let name = name_of(editor, &keys);
+    let done = KeyMotion::none(keys);
+    let of = KeysDrag { about, done };
+    Held::Keys(Drag::new(of, name, from, at))
+}
+
+impl Moves for KeysDrag {
+    fn go_on(&mut self, _pass: &Pass<'_>, to: &To) -> Option<Action> {
+        let from = to.from;
+        let (change, copies) = match self.about {
+            None => (Change::By(to.frame - from), to.copies),
             Some(about) => {
-                let least = if held.shift { 1.0 / PARTS } else { 1.0 };
-                let from = self.from;
+                let least = if to.fine { 1.0 / PARTS } else { 1.0 };
                 let to = match from < about {
-                    true => to.min(about - least),
-                    false => to.max(about + least),
+                    true => to.frame.min(about - least),
+                    false => to.frame.max(about + least),
                 };
                 (Change::Scale { about, from, to }, false)
             }
         };
-        let wanted = KeyMotion::new(self.keys.clone(), to, copies, Numbers::Stay);
-        let same = wanted == self.done || wanted.is_nothing() && self.done.is_nothing();
-        (!same).then(|| {
-            self.done = wanted.clone();
-            Action::Time(TimeAction::MoveKeys(Box::new(wanted)))
-        })
+        let keys = self.done.keys.clone();
+        let wanted = KeyMotion::new(keys, change, copies, Numbers::Stay);
+        self.done.turn_into(wanted)
     }
 
-    fn tell(&self, editor: &Editor, ui: &Ui, time: &Time, top: f32) {
-        let texts = &editor.texts().timeline;
-        let name = match (&self.keys[..], editor.document.edited_scene()) {
-            ([one], Some(edited)) => {
-                let node = edited.scene().nodes().get(one.node);
-                let node = node.map_or("", |node| node.name.as_str());
-                fill(
-                    texts.channel_of,
-                    &[&channel_name(editor, &one.channel), &node],
-                )
-            }
-            (all, _) => fill(texts.keys_selected, &[&all.len()]),
-        };
-        let name = match self.done.copies() && !self.done.is_nothing() {
-            true => fill(texts.copy_of, &[&name]),
-            false => name,
-        };
-        let at = self.done.frame_of(self.from);
-        self.way.tell(editor, ui, &name, (time, self.from, at), top);
+    fn at(&self, _editor: &Editor, from: f64) -> f64 {
+        self.done.frame_of(from)
+    }
+
+    fn copies(&self) -> bool {
+        self.done.copies()
     }
 }
 
-impl BarDrag {
-    fn new(editor: &Editor, node: usize, pointer: f32) -> Option<Self> {
-        let edited = editor.document.edited_scene()?;
-        let (from, _) = bar_of(editor, edited, node)?;
-        let path = edited.scene().nodes().get(node)?.path()?;
-        let scene = editor.document.scene().ok()?;
-        let free = scene.pins().iter().all(|pin| pin.node != node);
-        Some(Self {
-            node,
-            from,
-            at: from,
-            beyond: path.extrapolation(),
-            free,
-            way: Way::begin(pointer),
-        })
-    }
+fn bar_drag(editor: &Editor, node: usize, at: Pos2) -> Option<Held> {
+    let edited = editor.document.edited_scene()?;
+    let (from, _) = bar_of(editor, edited, node)?;
+    let of = edited.scene().nodes().get(node)?;
+    let scene = editor.document.scene().ok()?;
+    let drag = BarDrag {
+        node,
+        at: from,
+        beyond: of.path()?.extrapolation(),
+        free: scene.pins().iter().all(|pin| pin.node != node),
+    };
+    let name = fill(editor.texts().timeline.path_of, &[&of.name]);
+    Some(Held::Bar(Drag::new(drag, name, from, at)))
+}
 
-    fn go_on(
-        &mut self,
-        editor: &Editor,
-        ui: &Ui,
-        response: &Response,
-        time: &Time,
-    ) -> Option<Action> {
-        let to = self.way.go_on(editor, ui, response, (time, self.from));
-        if to == self.at || !self.free {
+impl Moves for BarDrag {
+    fn go_on(&mut self, _pass: &Pass<'_>, to: &To) -> Option<Action> {
+        if to.frame == self.at || !self.free {
             return None;
         }
-        self.at = to;
+        self.at = to.frame;
         let edit = Edit::Part(Box::new(Part::Start {
             node: self.node,
-            start_frame: to,
+            start_frame: to.frame,
             beyond: self.beyond,
         }));
         Some(Action::Enter(Entry::Drag(edit)))
     }
 
-    fn tell(&self, editor: &Editor, ui: &Ui, time: &Time, top: f32) {
-        let texts = &editor.texts().timeline;
-        if !self.free {
-            return bubble(ui, pos2(time.x(self.from), top), texts.is_pinned.to_owned());
-        }
-        let nodes = editor
-            .document
-            .edited_scene()
-            .map(|edited| edited.scene().nodes());
-        let node = nodes.and_then(|nodes| nodes.get(self.node));
-        let name = fill(
-            texts.path_of,
-            &[&node.map_or("", |node| node.name.as_str())],
-        );
-        self.way
-            .tell(editor, ui, &name, (time, self.from, self.at), top);
+    fn at(&self, _editor: &Editor, _from: f64) -> f64 {
+        self.at
     }
-}
 
-/// Where a drag begins in this pass, and whether it adds to what is selected.
-pub(super) fn begun(ui: &Ui, response: &Response) -> Option<(Pos2, bool)> {
-    let at = ui.input(|input| {
-        let other = input.pointer.middle_down() || input.pointer.secondary_down();
-        let adds = input.modifiers.ctrl || input.modifiers.shift;
-        Some((input.pointer.press_origin()?, adds)).filter(|_| !other)
-    });
-    let at = at.filter(|_| response.drag_started())?;
-    response.request_focus();
-    Some(at)
+    fn more(&self, editor: &Editor) -> Vec<String> {
+        let pinned = editor.texts().timeline.is_pinned;
+        (!self.free)
+            .then(|| pinned.to_owned())
+            .into_iter()
+            .collect()
+    }
+
+    fn cursor(&self) -> CursorIcon {
+        match self.free {
+            true => CursorIcon::Grabbing,
+            false => CursorIcon::NotAllowed,
+        }
+    }
 }
 
 /// Takes what is under the pointer when a drag begins, and goes on with what is held.
-pub(super) fn show(
-    editor: &Editor,
-    held: &mut Held,
-    ui: &Ui,
-    response: &Response,
-    (shown, top): (&Shown<'_>, f32),
-    actions: &mut Vec<Action>,
-) {
-    if let Some(begun) = begun(ui, response) {
-        *held = taken(editor, shown, begun, actions);
+pub(super) fn show(held: &mut Held, pass: &Pass<'_>, shown: &Shown<'_>, actions: &mut Vec<Action>) {
+    if let Some(at) = begun(pass.ui, pass.response) {
+        pass.response.request_focus();
+        *held = taken(pass, shown, at, actions);
     }
-    let time = &shown.time;
-    if !response.dragged() {
-        let keys = match held {
-            Held::Keys(drag) => Some(drag.keys.clone()),
-            _ => None,
-        };
-        let is_step = matches!(held, Held::Keys(_) | Held::Bar(_));
-        *held = Held::Nothing;
-        if response.drag_stopped() && is_step {
-            let end = Entry::of_end(ui.ctx());
-            let given_back = end == Entry::Cancel;
-            actions.push(Action::Enter(end));
-            actions.extend(keys.filter(|_| given_back).map(Action::SelectKeys));
-        }
-        return;
-    }
-    match held {
-        Held::Nothing => {}
+    let ended = match held {
+        Held::Nothing => false,
         Held::Keys(drag) => {
-            actions.extend(drag.go_on(editor, ui, response, time));
-            drag.tell(editor, ui, time, top);
-            ui.set_cursor_icon(match drag.done.copies() {
-                true => CursorIcon::Copy,
-                false => CursorIcon::ResizeHorizontal,
-            });
-        }
-        Held::Bar(drag) => {
-            actions.extend(drag.go_on(editor, ui, response, time));
-            drag.tell(editor, ui, time, top);
-            ui.set_cursor_icon(match drag.free {
-                true => CursorIcon::Grabbing,
-                false => CursorIcon::NotAllowed,
-            });
-        }
-        Held::Box { x, row, besides } => {
-            if let Some(pointer) = response.interact_pointer_pos() {
-                let from = pos2(*x, shown.top + *row * super::track_rows::ROW);
-                boxed(editor, ui, shown, (from, pointer, besides), actions);
+            let end = drag.go_on(pass, actions);
+            if end == Some(Entry::Cancel) {
+                actions.push(Action::SelectKeys(drag.of.done.keys.clone()));
             }
+            end.is_some()
         }
-    }
-    let enter = ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Enter));
-    if enter && matches!(held, Held::Keys(_) | Held::Bar(_)) {
-        ui.ctx().stop_dragging();
+        Held::Bar(drag) => drag.go_on(pass, actions).is_some(),
+        Held::Box { x, row, besides } => {
+            let pointer = pass.response.interact_pointer_pos();
+            if let Some(pointer) = pointer.filter(|_| pass.response.dragged()) {
+                let from = pos2(*x, shown.top + *row * super::track_rows::ROW);
+                boxed(pass, shown, (from, pointer, besides), actions);
+            }
+            !pass.response.dragged()
+        }
+    };
+    if ended {
         *held = Held::Nothing;
-        actions.push(Action::Enter(Entry::End));
     }
 }
 
-fn taken(
-    editor: &Editor,
-    shown: &Shown<'_>,
-    (at, adds): (Pos2, bool),
-    actions: &mut Vec<Action>,
-) -> Held {
+fn taken(pass: &Pass<'_>, shown: &Shown<'_>, at: Pos2, actions: &mut Vec<Action>) -> Held {
+    let editor = pass.editor;
     let drag = match shown.hit(editor, at) {
         Hit::Nothing => {
             let row = shown.number_at(at.y);
+            let adds = pass
+                .ui
+                .input(|input| input.modifiers.ctrl || input.modifiers.shift);
             let besides = match adds {
                 true => shown.selected.clone(),
                 false => Vec::new(),
@@ -324,11 +187,10 @@ fn taken(
                 besides,
             };
         }
-        Hit::Bar(node) => BarDrag::new(editor, node, at.x).map(|drag| Held::Bar(Box::new(drag))),
+        Hit::Bar(node) => bar_drag(editor, node, at),
         Hit::End { first } => shown.ends.map(|(low, high)| {
             let (from, about) = if first { (low, high) } else { (high, low) };
-            let keys = shown.selected.clone();
-            Held::Keys(Box::new(KeysDrag::new(keys, from, Some(about), at.x)))
+            keys_drag(editor, shown.selected.clone(), (from, Some(about)), at)
         }),
         Hit::Keys(keys) => {
             let edited = editor.document.edited_scene();
@@ -340,7 +202,7 @@ fn taken(
                     keys
                 }
             };
-            from.map(|from| Held::Keys(Box::new(KeysDrag::new(all, from, None, at.x))))
+            from.map(|from| keys_drag(editor, all, (from, None), at))
         }
     };
     let Some(drag) = drag else {
@@ -352,38 +214,25 @@ fn taken(
 
 /// Selects the keys in a box, and these besides.
 fn boxed(
-    editor: &Editor,
-    ui: &Ui,
+    pass: &Pass<'_>,
     shown: &Shown<'_>,
     (from, to, besides): (Pos2, Pos2, &[KeyAt]),
     actions: &mut Vec<Action>,
 ) {
-    let palette = theme::palette(ui);
     let place = Rect::from_two_pos(from, to);
-    let painter = ui.painter_at(shown.ground.intersect(ui.clip_rect()));
-    painter.rect_filled(place, 0.0, palette.accent.gamma_multiply(0.15));
-    let line = Stroke::new(1.0, palette.accent);
-    painter.rect_stroke(place, 0.0, line, StrokeKind::Inside);
-    let Some(edited) = editor.document.edited_scene() else {
+    select_box(pass.ui, shown.ground, place);
+    let Some(edited) = pass.editor.document.edited_scene() else {
         return;
     };
-    let [first, last] = [place.left(), place.right()].map(|x| shown.time.frame(x));
+    let ends = [place.left(), place.right()].map(|x| shown.axis.frame(x));
     let mut keys = Vec::new();
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
     let number = |y: f32| shown.number_at(y).max(0.0) as usize;
     let rows = number(place.top())..=number(place.bottom());
     for row in shown.rows.iter().take(rows.end() + 1).skip(*rows.start()) {
-        let Some(track) = row.track(edited) else {
-            continue;
-        };
-        let frames = track.frames();
-        let low = frames.partition_point(|&key| key < first);
-        let high = frames.partition_point(|&key| key <= last);
-        keys.extend((low..high).map(|key| KeyAt {
-            node: row.node,
-            channel: track.channel().clone(),
-            key,
-        }));
+        if let Some(of) = row.of(edited) {
+            keys.extend(keys_between(of.track, ends).map(|key| of.key(key)));
+        }
     }
     let others = besides.iter().filter(|at| !keys.contains(at));
     let others: Vec<KeyAt> = others.cloned().collect();

@@ -6,15 +6,16 @@ use vides_document::EditedScene;
 use vides_engine::scene::{Channel, Track};
 
 use super::axis::Axis;
+use super::drag::Pass;
 use super::graph_paint::{colour, headings, scale, signs};
+use super::key_motion::by_track;
 use super::track_curve::{Curve, Of};
-use super::track_time::Time;
-use super::{graph_drag, key_motion, track_menu, track_rows, tracks};
+use super::{graph_drag, track_menu, track_rows, tracks};
 use crate::action::Action;
 use crate::playing::track_dots::{Fit, Hit, MOST, Shown, range_of, select};
 use crate::state::Editor;
+use crate::state::playing::track_graph::Held;
 pub(super) use crate::state::playing::track_graph::Memory;
-use crate::state::playing::track_graph::{Dot, Held};
 use crate::state::playing::tracks::Row;
 
 /// Curves are this near to what the engine says, in points.
@@ -23,30 +24,28 @@ const NEAR: f64 = 0.15;
 impl Memory {
     /// The rows whose curves are seen.
     pub(super) fn shows(&self, editor: &Editor, edited: &EditedScene, rows: &[Row]) -> Vec<Row> {
-        let with_track = || rows.iter().filter(|row| row.track.is_some());
-        let is_one_of = |row: &Row, all: &[(usize, Channel)]| {
-            let channel = row.track(edited).map(Track::channel);
-            channel.is_some_and(|own| {
-                all.iter()
-                    .any(|(node, other)| *node == row.node && own.same_as(other))
-            })
+        let with_track = || {
+            let of = |row: &Row| Some((*row, row.of(edited)?));
+            rows.iter().filter_map(of)
         };
-        let mut all: Vec<Row> = match self.chosen.is_empty() {
-            true => Vec::new(),
-            false => with_track()
-                .filter(|row| is_one_of(row, &self.chosen))
-                .copied()
-                .collect(),
+        let chosen = |of: &Of<'_>| {
+            self.chosen
+                .iter()
+                .any(|(node, channel)| of.is(*node, channel))
         };
+        let chosen = with_track().filter(|(_, of)| chosen(of));
+        let mut all: Vec<Row> = chosen.map(|(row, _)| row).collect();
         if all.is_empty() {
-            let selected = editor.selected_keys();
-            let tracks = key_motion::by_track(&selected).into_iter();
-            let tracks: Vec<_> = tracks.map(|(node, channel, _)| (node, channel)).collect();
-            let selected = with_track().filter(|row| is_one_of(row, &tracks));
-            all = selected.take(MOST).copied().collect();
+            let selected = by_track(edited, &editor.selected_keys());
+            let has_key = |of: &Of<'_>| {
+                let mut tracks = selected.iter().map(|(other, _)| other);
+                tracks.any(|other| of.is(other.node, other.track.channel()))
+            };
+            let selected = with_track().filter(|(_, of)| has_key(of));
+            all = selected.take(MOST).map(|(row, _)| row).collect();
         }
         if all.is_empty() {
-            all.extend(with_track().next());
+            all.extend(with_track().next().map(|(row, _)| row));
         }
         all
     }
@@ -59,7 +58,7 @@ impl Memory {
         (rows, row): (&[Row], Row),
         adds: bool,
     ) {
-        let of = |row: Row| Some((row.node, row.track(edited)?.channel().clone()));
+        let of = |row: Row| Some((row.node, row.of(edited)?.track.channel().clone()));
         let before: Vec<_> = self.shows(editor, edited, rows).into_iter().collect();
         self.chosen = match adds {
             false => of(row).into_iter().collect(),
@@ -95,17 +94,8 @@ pub(super) fn show(
     let ground = Rect::from_x_y_ranges(axis.rail.expand(8.0), rect.y_range());
     let ground = ground.shrink2(vec2(0.0, 1.0));
     let rows = memory.graph.shows(editor, edited, rows);
-    let scene = edited.scene();
-    let tracks = rows.iter().filter_map(|row| {
-        Some(Of {
-            scene,
-            node: row.node,
-            track: row.track(edited)?,
-        })
-    });
-    let tracks: Vec<Of<'_>> = tracks.collect();
-    let time = Time::new(axis);
-    let ends = (time.frame(ground.left()), time.frame(ground.right()));
+    let tracks: Vec<Of<'_>> = rows.iter().filter_map(|row| row.of(edited)).collect();
+    let ends = (axis.frame(ground.left()), axis.frame(ground.right()));
     let column = axis.frames_per_point();
     let curves = |tolerance: f64| {
         let all = tracks
@@ -123,7 +113,7 @@ pub(super) fn show(
     let curves = curves(near(rough));
     let range = memory.graph.range.unwrap_or_else(|| bounds(&curves));
     let shown = Shown {
-        time,
+        axis: *axis,
         fit: Fit::new(range, ground),
         ground,
         tracks,
@@ -136,7 +126,7 @@ pub(super) fn show(
     scale(editor, ui, &painter, (&shown, range), rect.left());
     for (of, curve) in shown.tracks.iter().zip(&curves) {
         for part in 0..of.width() {
-            let place = |(frame, value)| pos2(shown.time.x(frame), shown.fit.y(value));
+            let place = |(frame, value)| pos2(shown.axis.place(frame), shown.fit.y(value));
             let line: Vec<Pos2> = curve.line(part).map(place).collect();
             let stroke = Stroke::new(1.5, colour(ui, part, of.width()));
             painter.add(Shape::line(line, stroke));
@@ -148,14 +138,14 @@ pub(super) fn show(
     painter.vline(at, ground.y_range(), line);
     headings(editor, ui, &painter, &shown);
     pressed(editor, memory, ui, &shown, &response, (&rows, actions));
-    graph_drag::show(
+    let pass = Pass {
         editor,
-        &mut memory.graph,
         ui,
-        &response,
-        (&shown, top),
-        actions,
-    );
+        response: &response,
+        axis,
+        top,
+    };
+    graph_drag::show(&mut memory.graph, &pass, &shown, actions);
     // What is held is seen on the same scale all the time.
     let held = !matches!(memory.graph.held, Held::Nothing);
     memory.graph.range = held.then_some(range);
@@ -194,16 +184,12 @@ fn pressed(
             memory.menu = rows.first().copied();
             return;
         };
-        let of_dot = |row: &&Row| {
-            let track = shown
-                .tracks
-                .iter()
-                .zip(rows)
-                .find(|(_, other)| other == row);
-            let channel = track.map(|(of, _)| of.track.channel());
-            row.node == dot.at.node && channel.is_some_and(|own| own.same_as(&dot.at.channel))
-        };
-        memory.menu = rows.iter().find(of_dot).copied();
+        let same = shown
+            .tracks
+            .iter()
+            .zip(rows)
+            .find(|(of, _)| of.has(&dot.at));
+        memory.menu = same.map(|(_, row)| *row);
         if !shown.selected.contains(&dot.at) {
             memory.graph.keep(shown);
             select(&mut memory.graph, shown, vec![dot], actions);
@@ -213,50 +199,18 @@ fn pressed(
         response.request_focus();
         memory.graph.keep(shown);
         let held = ui.input(|input| input.modifiers);
-        let dot = match shown.hit(&memory.graph.parts, at) {
-            Hit::Dot(dot) => Some(dot),
+        let clicked = match shown.hit(&memory.graph.parts, at) {
+            Hit::Dot(dot) => vec![dot],
             Hit::Handle(..) => return,
-            Hit::Nothing => None,
+            Hit::Nothing => Vec::new(),
         };
-        let dots = chosen(&memory.graph, shown, dot, held);
+        let selected = shown.dots(&memory.graph.parts);
+        let dots = tracks::chosen(selected, clicked, held, |dot| &mut dot.at);
         select(&mut memory.graph, shown, dots, actions);
     }
     if let Some(row) = memory.menu {
         track_menu::show(editor, &mut memory.graph, response, row, actions);
     }
-}
-
-/// The selection after a click at this number of a key.
-fn chosen(memory: &Memory, shown: &Shown<'_>, dot: Option<Dot>, held: egui::Modifiers) -> Vec<Dot> {
-    let mut all = match held.ctrl || held.shift {
-        true => shown.dots(&memory.parts),
-        false => Vec::new(),
-    };
-    let Some(dot) = dot else {
-        return all;
-    };
-    if held.ctrl && all.contains(&dot) {
-        all.retain(|other| *other != dot);
-        return all;
-    }
-    // All up to here from the last one that was clicked on the curve.
-    let same = |other: &&Dot| {
-        let (a, b) = (&other.at, &dot.at);
-        (a.node, &a.channel, other.part) == (b.node, &b.channel, dot.part)
-    };
-    let from = all.iter().find(same).map_or(dot.at.key, |at| at.at.key);
-    let from = if held.shift { from } else { dot.at.key };
-    for key in from.min(dot.at.key)..=from.max(dot.at.key) {
-        let mut next = dot.clone();
-        next.at.key = key;
-        if !all.contains(&next) {
-            all.push(next);
-        }
-    }
-    if !held.shift {
-        all.rotate_right(1);
-    }
-    all
 }
 
 #[cfg(test)]

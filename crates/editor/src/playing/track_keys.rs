@@ -8,6 +8,7 @@ use super::{markers, ruler, track_clipboard};
 use crate::action::Action;
 use crate::playing::track_rows::id;
 use crate::state::Editor;
+use crate::state::playing::tracks::Row;
 use crate::state::scene_view::KeyAt;
 
 /// Handles the timeline's keys before any other widget.
@@ -35,7 +36,7 @@ pub(crate) fn take_keys(editor: &mut Editor, context: &Context) {
     }
     let keys = editor.selected_keys();
     if !keys.is_empty() && pressed(Modifiers::NONE, Key::Delete) {
-        editor.act(Action::Edits(removed(&keys)), context);
+        editor.act(Action::Edits(removed(&editor.document, &keys)), context);
         editor.select_keys(Vec::new());
     }
     if pressed(Modifiers::CTRL, Key::A) {
@@ -50,12 +51,8 @@ fn all(editor: &Editor) -> Vec<KeyAt> {
     };
     let mut keys = Vec::new();
     for node in editor.selected_nodes() {
-        for track in edited.scene().nodes()[node].keys().tracks() {
-            keys.extend((0..track.frames().len()).map(|key| KeyAt {
-                node,
-                channel: track.channel().clone(),
-                key,
-            }));
+        for of in (Row { node, track: None }).tracks(edited) {
+            keys.extend((0..of.track.frames().len()).map(|key| of.key(key)));
         }
     }
     keys

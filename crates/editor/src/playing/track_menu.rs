@@ -6,10 +6,11 @@ use vides_document::Edit;
 use vides_document::error::Result;
 use vides_engine::math::euler::EulerAngles;
 use vides_engine::scene::{
-    Channel, Extrapolation, Interpolation, Manner, Part, Track, Warnings, host,
+    Channel, Extrapolation, Interpolation, KeyList, Manner, Part, Track, Warnings, host,
 };
 
-use super::key_menu;
+use super::key_menu::{self, entry};
+use super::track_curve::Of;
 use crate::action::Action;
 use crate::playing::track_rows::{bar_of, channel_name};
 use crate::state::Editor;
@@ -36,11 +37,12 @@ pub(super) fn show(
             return;
         };
         let texts = &editor.texts().timeline;
-        if let Some(track) = row.track(edited) {
+        if let Some(of) = row.of(edited) {
+            let track = of.track;
             let channel = channel_name(editor, track.channel());
             ui.label(RichText::new(fill(texts.channel_of, &[&channel, &node.name])).weak());
-            key_menu::show(editor, graph, ui, (row.node, track), actions);
-            of_track(editor, ui, (row, track), actions);
+            key_menu::show(editor, graph, ui, &of, actions);
+            of_track(editor, ui, &of, actions);
             if *track.channel() == Channel::Rotation {
                 ui.separator();
                 let texts = &editor.texts().compare;
@@ -104,30 +106,25 @@ fn beyond(
             Extrapolation::PingPong => texts.back_and_forth,
             Extrapolation::Offset => texts.goes_on,
         };
-        if ui.add(Button::selectable(each == now, words)).clicked() {
-            if each != now {
-                push(editor, edit(each), actions);
-            }
-            ui.close();
+        if entry(ui, Button::selectable(each == now, words), "") && each != now {
+            push(editor, edit(each), actions);
         }
     }
 }
 
-fn of_track(editor: &Editor, ui: &mut Ui, (row, track): (Row, &Track), actions: &mut Vec<Action>) {
+fn of_track(editor: &Editor, ui: &mut Ui, of: &Of<'_>, actions: &mut Vec<Action>) {
+    let track = of.track;
     let texts = &editor.texts().timeline;
     let now = track.interpolation();
     for each in interpolations(track) {
         let words = interpolation_name(editor.texts(), &each);
-        let button = ui.add(Button::selectable(each == *now, words));
-        if button.on_hover_text(texts.manner_hint).clicked() {
-            if each != *now {
-                let lost = by_angles(now) && !by_angles(&each) && turns(track);
-                push(editor, with(row.node, track, each), actions);
-                if lost {
-                    actions.push(Action::Complain(texts.turns_lost.to_owned()));
-                }
+        let button = Button::selectable(each == *now, words);
+        if entry(ui, button, texts.manner_hint) && each != *now {
+            let lost = by_angles(now) && !by_angles(&each) && turns(track);
+            push(editor, with(of, each), actions);
+            if lost {
+                actions.push(Action::Complain(texts.turns_lost.to_owned()));
             }
-            ui.close();
         }
     }
     ui.separator();
@@ -140,7 +137,7 @@ fn of_track(editor: &Editor, ui: &mut Ui, (row, track): (Row, &Track), actions: 
     let changed = |change: &dyn Fn(&mut Manner)| {
         let mut manner = track.manner();
         change(&mut manner);
-        manner_of(row.node, track, manner)
+        manner_of(of, manner)
     };
     ui.menu_button(texts.before, |ui| {
         let edit = |to| Ok(changed(&|manner| manner.before = to));
@@ -180,10 +177,10 @@ fn interpolations(track: &Track) -> Vec<Interpolation> {
     all
 }
 
-fn manner_of(node: usize, track: &Track, manner: Manner) -> Edit {
+fn manner_of(of: &Of<'_>, manner: Manner) -> Edit {
     part(Part::Manner {
-        node,
-        channel: track.channel().clone(),
+        node: of.node,
+        channel: of.track.channel().clone(),
         manner: Box::new(manner),
     })
 }
@@ -207,7 +204,7 @@ fn interpolation_name(texts: &Texts, interpolation: &Interpolation) -> String {
     words.to_owned()
 }
 
-pub(super) fn by_angles(interpolation: &Interpolation) -> bool {
+fn by_angles(interpolation: &Interpolation) -> bool {
     matches!(
         interpolation,
         Interpolation::EulerLinear | Interpolation::EulerCatmullRom
@@ -216,56 +213,55 @@ pub(super) fn by_angles(interpolation: &Interpolation) -> bool {
 
 /// The edit that lets a track go from key to key in another way. Frames and values stay; angles
 /// become quaternions, and these angles.
-fn with(node: usize, track: &Track, interpolation: Interpolation) -> Result<Edit> {
-    let keys = track.frames().len();
-    let values = match (by_angles(track.interpolation()), by_angles(&interpolation)) {
-        (true, false) => quaternions(track),
-        (false, true) => angles(track),
-        _ => track.values().to_vec(),
-    };
-    let shape = match interpolation {
-        Interpolation::Hermite => smooth(track.frames(), &values, values.len() / keys),
-        Interpolation::Tcb => vec![0.0; 3 * keys],
-        _ => Vec::new(),
-    };
+fn with(of: &Of<'_>, interpolation: Interpolation) -> Result<Edit> {
+    let (node, track) = (of.node, of.track);
     if by_angles(track.interpolation()) == by_angles(&interpolation) {
-        let (before, after) = track.extrapolation();
-        let manner = Manner {
-            interpolation,
-            shape,
-            before,
-            after,
-        };
-        return Ok(manner_of(node, track, manner));
+        let mut manner = track.manner();
+        manner.shape = converted(track, &interpolation).shape;
+        manner.interpolation = interpolation;
+        return Ok(manner_of(of, manner));
     }
-    let new = of_values(track, interpolation, values, shape)?;
+    let new = rotation_by(track, interpolation)?;
     Ok(part(Part::track(node, track.channel().clone(), Some(new))?))
 }
 
-fn of_values(
-    track: &Track,
-    interpolation: Interpolation,
-    values: Vec<f64>,
-    shape: Vec<f64>,
-) -> Result<Track> {
-    let (channel, frames) = (track.channel().clone(), track.frames().to_vec());
-    let new = Track::new(channel, interpolation, frames, values, shape)?;
-    let (before, after) = track.extrapolation();
-    Ok(new.with_extrapolation(before, after)?)
-}
-
-/// The keys of a rotation gone through in another way, which needs no shape values.
-pub(crate) fn rotation_by(track: &Track, interpolation: Interpolation) -> Result<Track> {
-    let values = match (by_angles(track.interpolation()), by_angles(&interpolation)) {
+/// The keys of a track as one has them that goes from key to key in this way.
+pub(super) fn converted(track: &Track, to: &Interpolation) -> KeyList {
+    let frames = track.frames().to_vec();
+    let values = match (by_angles(track.interpolation()), by_angles(to)) {
         (true, false) => quaternions(track),
         (false, true) => angles(track),
         _ => track.values().to_vec(),
     };
-    of_values(track, interpolation, values, Vec::new())
+    let shape = match to {
+        _ if to == track.interpolation() => track.shape().to_vec(),
+        Interpolation::Hermite => smooth(&frames, &values, values.len() / frames.len()),
+        Interpolation::Tcb => vec![0.0; 3 * frames.len()],
+        _ => Vec::new(),
+    };
+    KeyList {
+        frames,
+        values,
+        shape,
+    }
+}
+
+/// A track that goes on as another beyond its ends, of these keys.
+pub(super) fn of_keys(track: &Track, by: Interpolation, keys: KeyList) -> Result<Track> {
+    let (before, after) = track.extrapolation();
+    let channel = track.channel().clone();
+    let new = Track::new(channel, by, keys.frames, keys.values, keys.shape)?;
+    Ok(new.with_extrapolation(before, after)?)
+}
+
+/// The keys of a rotation gone through in another way.
+pub(crate) fn rotation_by(track: &Track, interpolation: Interpolation) -> Result<Track> {
+    let keys = converted(track, &interpolation);
+    of_keys(track, interpolation, keys)
 }
 
 /// The quaternions at the keys of angles.
-pub(super) fn quaternions(track: &Track) -> Vec<f64> {
+fn quaternions(track: &Track) -> Vec<f64> {
     let warnings = &mut Warnings::default();
     let frames = track.frames().iter();
     let turns = frames.map(|&frame| track.rotation(frame, warnings));
@@ -275,7 +271,7 @@ pub(super) fn quaternions(track: &Track) -> Vec<f64> {
 }
 
 /// Yaw, pitch and roll in degrees at the keys, each as near as can be to the one before.
-pub(super) fn angles(track: &Track) -> Vec<f64> {
+fn angles(track: &Track) -> Vec<f64> {
     let warnings = &mut Warnings::default();
     let mut all: Vec<f64> = Vec::new();
     for &frame in track.frames() {
@@ -292,7 +288,7 @@ pub(super) fn angles(track: &Track) -> Vec<f64> {
 }
 
 /// Tangents of a smooth way through keys: those of Catmull and Rom, with quadratic ends.
-pub(super) fn smooth(frames: &[f64], values: &[f64], width: usize) -> Vec<f64> {
+fn smooth(frames: &[f64], values: &[f64], width: usize) -> Vec<f64> {
     let last = frames.len() - 1;
     let step = |k: usize| frames[k + 1] - frames[k];
     let mean = |k: usize, i: usize| (values[(k + 1) * width + i] - values[k * width + i]) / step(k);

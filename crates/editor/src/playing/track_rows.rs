@@ -2,11 +2,12 @@
 
 use egui::{Id, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, vec2};
 use vides_document::EditedScene;
-use vides_engine::scene::{Channel, Node, Track};
-use vides_engine::shared_list::{Iter, SharedList};
+use vides_engine::scene::{Channel, Node};
+use vides_engine::shared_list::SharedList;
 
 use crate::playing::axis::as_frame;
-use crate::playing::track_time::{REACH, Time};
+use crate::playing::axis::{Axis, REACH};
+use crate::playing::track_curve::Of;
 use crate::state::Editor;
 use crate::state::playing::tracks::{Memory, Row};
 use crate::state::scene_view::KeyAt;
@@ -26,19 +27,23 @@ impl Row {
         edited.scene().nodes().get(self.node)
     }
 
-    pub(crate) fn track(self, edited: &EditedScene) -> Option<&Track> {
-        self.node(edited)?.keys().tracks().get(self.track?)
+    pub(crate) fn of(self, edited: &EditedScene) -> Option<Of<'_>> {
+        let (scene, node) = (edited.scene(), self.node);
+        let track = self.node(edited)?.keys().tracks().get(self.track?)?;
+        Some(Of { scene, node, track })
     }
 
     /// The tracks that it shows: its own, or all of its node.
-    pub(crate) fn tracks(self, edited: &EditedScene) -> Iter<'_, Track> {
-        let node = self.node(edited);
-        let all = node.map_or(SharedList::EMPTY, |node| node.keys().tracks());
-        match self.track {
+    pub(crate) fn tracks(self, edited: &EditedScene) -> impl Iterator<Item = Of<'_>> + Clone {
+        let (scene, node) = (edited.scene(), self.node);
+        let of = self.node(edited);
+        let all = of.map_or(SharedList::EMPTY, |node| node.keys().tracks());
+        let shown = match self.track {
             Some(at) if at < all.len() => all.range(at..=at),
             Some(_) => all.range(..0),
             None => all.iter(),
-        }
+        };
+        shown.map(move |track| Of { scene, node, track })
     }
 }
 
@@ -58,7 +63,7 @@ pub(crate) enum Hit {
 /// The rows on the screen.
 pub(crate) struct Shown<'a> {
     pub(crate) rows: &'a [Row],
-    pub(crate) time: Time,
+    pub(crate) axis: Axis,
     /// Where the first one begins; what is seen of them.
     pub(crate) top: f32,
     pub(crate) ground: Rect,
@@ -85,23 +90,15 @@ impl Shown<'_> {
             return Hit::Nothing;
         };
         let tracks = row.tracks(edited);
-        let near = |track: &Track| {
-            let key = self.time.nearest(track.frames(), at.x)?;
-            Some(track.frames()[key])
+        let near = |of: Of<'_>| {
+            let frames = of.track.frames();
+            Some(frames[self.axis.nearest(frames, at.x)?])
         };
-        let away = |frame: &f64| (self.time.x(*frame) - at.x).abs();
+        let away = |frame: &f64| (self.axis.place(*frame) - at.x).abs();
         let frames = tracks.clone().filter_map(near);
         if let Some(frame) = frames.min_by(|a, b| away(a).total_cmp(&away(b))) {
-            let same = |track: &Track| {
-                let frames = track.frames();
-                let key = frames.partition_point(|&key| key < frame);
-                (frames.get(key) == Some(&frame)).then(|| KeyAt {
-                    node: row.node,
-                    channel: track.channel().clone(),
-                    key,
-                })
-            };
-            return Hit::Keys(tracks.filter_map(same).collect());
+            let there = |of: Of<'_>| of.at_frame(frame).map(|key| of.key(key));
+            return Hit::Keys(tracks.filter_map(there).collect());
         }
         if let Some(brackets) = self.brackets() {
             for (x, first) in brackets.into_iter().zip([true, false]) {
@@ -115,7 +112,9 @@ impl Shown<'_> {
             .is_none()
             .then(|| bar_of(editor, edited, row.node));
         match bar.flatten() {
-            Some((first, last)) if (self.time.x(first)..=self.time.x(last)).contains(&at.x) => {
+            Some((first, last))
+                if (self.axis.place(first)..=self.axis.place(last)).contains(&at.x) =>
+            {
                 Hit::Bar(row.node)
             }
             _ => Hit::Nothing,
@@ -125,7 +124,10 @@ impl Shown<'_> {
     /// Where the brackets stand by which the time between the selected keys is scaled.
     pub(crate) fn brackets(&self) -> Option<[f32; 2]> {
         let (first, last) = self.ends.filter(|(first, last)| first < last)?;
-        Some([self.time.x(first) - OUTSIDE, self.time.x(last) + OUTSIDE])
+        Some([
+            self.axis.place(first) - OUTSIDE,
+            self.axis.place(last) + OUTSIDE,
+        ])
     }
 }
 
@@ -143,9 +145,8 @@ pub(crate) fn bar_of(editor: &Editor, edited: &EditedScene, node: usize) -> Opti
 
 /// The frame of a key.
 pub(crate) fn frame_of(edited: &EditedScene, at: &KeyAt) -> Option<f64> {
-    let node = edited.scene().nodes().get(at.node)?;
-    let track = node.keys().track(&at.channel)?;
-    track.frames().get(at.key).copied()
+    let of = Of::new(edited, at.node, &at.channel)?;
+    of.track.frames().get(at.key).copied()
 }
 
 /// What a channel is called.
@@ -190,8 +191,8 @@ pub(crate) fn caption(
     };
     let painter = ui.painter_at(room.intersect(ui.clip_rect()));
     let place = room.left_center() + vec2(INDENT, 0.0);
-    if let Some(track) = row.track(edited) {
-        let words = channel_name(editor, track.channel());
+    if let Some(of) = row.of(edited) {
+        let words = channel_name(editor, of.track.channel());
         if theme::elided(&painter, place, &words, palette.weak) {
             let id = Id::unique(("name of track", row.node, row.track));
             ui.interact(room, id, Sense::hover()).on_hover_text(words);

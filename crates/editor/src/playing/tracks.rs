@@ -11,11 +11,13 @@ use vides_document::EditedScene;
 use vides_engine::path::Sampler;
 use vides_engine::scene::{FollowPath, Node, Track};
 
+use super::axis::APART;
 use super::axis::Axis;
-use super::track_time::{APART, Time};
+use super::drag::Pass;
 use super::{graph_paint, pins, track_drag, track_graph, track_menu, track_rows};
 use crate::action::Action;
 use crate::playing::axis::as_frame;
+use crate::playing::track_curve::Of;
 use crate::playing::track_rows::{Hit, ROW, Shown, bar_of, caption, diamond, id};
 use crate::state::Editor;
 pub(super) use crate::state::playing::tracks::Memory;
@@ -86,7 +88,7 @@ fn shown_as_rows(
                 let selected = editor.selected_keys();
                 let shown = Shown {
                     rows,
-                    time: Time::new(axis),
+                    axis: *axis,
                     top: top_of_rows,
                     ground,
                     ends: track_rows::ends(editor, &selected),
@@ -97,8 +99,14 @@ fn shown_as_rows(
                 let name = editor.texts().timeline.tracks;
                 response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, name));
                 pressed(editor, memory, ui, &shown, &response, actions);
-                let words = (&shown, top);
-                track_drag::show(editor, &mut memory.held, ui, &response, words, actions);
+                let pass = Pass {
+                    editor,
+                    ui,
+                    response: &response,
+                    axis,
+                    top,
+                };
+                track_drag::show(&mut memory.held, &pass, &shown, actions);
             });
     });
 }
@@ -120,8 +128,8 @@ fn all(editor: &Editor, memory: &mut Memory, ui: &Ui, (shown, left): (&Shown<'_>
         let room = Rect::from_x_y_ranges(left.x_range(), rows);
         let room = room.with_max_x(room.right() - theme::GAP);
         caption(editor, memory, ui, (row, room), edited);
-        match row.track(edited) {
-            Some(track) => diamonds(shown, ui, &painter, (row, track), rows.center()),
+        match row.of(edited) {
+            Some(of) => diamonds(shown, ui, &painter, &of, rows.center()),
             None => of_node(editor, edited, shown, ui, &painter, (row, rows)),
         }
     }
@@ -137,7 +145,7 @@ fn all(editor: &Editor, memory: &mut Memory, ui: &Ui, (shown, left): (&Shown<'_>
             }
         }
     }
-    let at = shown.time.axis.x_of(editor.position_on_bar());
+    let at = shown.axis.x_of(editor.position_on_bar());
     let colour = super::ruler::colour_of_playhead(editor, ui);
     painter.vline(at, shown.ground.y_range(), Stroke::new(1.0, colour));
 }
@@ -151,17 +159,12 @@ fn seen(shown: &Shown<'_>) -> Range<usize> {
     (first.floor() as usize).min(count)..(last.ceil() as usize).min(count)
 }
 
-fn diamonds(shown: &Shown<'_>, ui: &Ui, painter: &Painter, (row, track): (Row, &Track), y: f32) {
+fn diamonds(shown: &Shown<'_>, ui: &Ui, painter: &Painter, of: &Of<'_>, y: f32) {
     let palette = theme::palette(ui);
-    let of_track = |at: &&KeyAt| at.node == row.node && at.channel.same_as(track.channel());
-    let chosen: Vec<usize> = shown
-        .selected
-        .iter()
-        .filter(of_track)
-        .map(|at| at.key)
-        .collect();
+    let selected = shown.selected.iter().filter(|at| of.has(at));
+    let chosen: Vec<usize> = selected.map(|at| at.key).collect();
     let line = Stroke::new(1.0, palette.field);
-    for (x, keys) in shown.time.signs(track.frames()) {
+    for (x, keys) in shown.axis.signs(of.track.frames()) {
         let fill = match chosen.iter().any(|key| keys.contains(key)) {
             true => palette.accent,
             false => palette.weak,
@@ -181,7 +184,7 @@ fn of_node(
 ) {
     let palette = theme::palette(ui);
     if let Some((first, last)) = bar_of(editor, edited, row.node) {
-        let ends = [first, last].map(|frame| shown.time.x(frame));
+        let ends = [first, last].map(|frame| shown.axis.place(frame));
         let rows = rows.shrink(4.0);
         let bar = Rect::from_x_y_ranges(ends[0]..=ends[1].max(ends[0] + 2.0), rows);
         let of_edited = edited.node() == Some(row.node);
@@ -189,8 +192,8 @@ fn of_node(
         painter.rect_filled(bar, 3.0, palette.accent.gamma_multiply(part));
         let mut free = bar.left();
         for frame in borders(editor, edited, row.node) {
-            let x = shown.time.x(first + frame);
-            if x - free >= APART && shown.time.axis.sees(x) {
+            let x = shown.axis.place(first + frame);
+            if x - free >= APART && shown.axis.sees(x) {
                 painter.vline(x, rows, Stroke::new(1.0, palette.field));
                 free = x;
             }
@@ -200,10 +203,10 @@ fn of_node(
             painter.rect_stroke(bar, 3.0, line, StrokeKind::Inside);
         }
         let place = (row.node, shown.ground.top(), rows);
-        pins::of_bar(edited, painter, &shown.time, place);
+        pins::of_bar(edited, painter, &shown.axis, place);
     }
-    for track in row.tracks(edited) {
-        for (x, _) in shown.time.signs(track.frames()) {
+    for of in row.tracks(edited) {
+        for (x, _) in shown.axis.signs(of.track.frames()) {
             painter.add(diamond(
                 pos2(x, rows.center()),
                 SMALL,
@@ -274,36 +277,45 @@ fn pressed(
             Hit::End { .. } => return,
             Hit::Nothing | Hit::Bar(_) => Vec::new(),
         };
-        actions.push(Action::SelectKeys(chosen(shown, keys, held)));
+        let selected = shown.selected.clone();
+        let chosen = chosen(selected, keys, held, |at| at);
+        actions.push(Action::SelectKeys(chosen));
     }
     if let Some(row) = memory.menu {
         track_menu::show(editor, &mut memory.graph, response, row, actions);
     }
 }
 
-/// The selection after a click at these keys.
-fn chosen(shown: &Shown<'_>, keys: Vec<KeyAt>, held: egui::Modifiers) -> Vec<KeyAt> {
-    let mut all = shown.selected.clone();
+/// The selection after a click at some, whose keys are told.
+pub(super) fn chosen<T: Clone + PartialEq>(
+    mut all: Vec<T>,
+    clicked: Vec<T>,
+    held: egui::Modifiers,
+    key: impl Fn(&mut T) -> &mut KeyAt,
+) -> Vec<T> {
     if held.ctrl {
-        let taken = keys.iter().all(|key| all.contains(key));
-        all.retain(|key| !keys.contains(key));
+        let taken = clicked.iter().all(|one| all.contains(one));
+        all.retain(|one| !clicked.contains(one));
         if !taken {
-            all.splice(0..0, keys);
+            all.splice(0..0, clicked);
         }
         return all;
     }
     if !held.shift {
-        return keys;
+        return clicked;
     }
     // All up to here from the last one that was clicked in the track.
-    for key in keys {
-        let same = |at: &&KeyAt| at.node == key.node && at.channel == key.channel;
-        let from = all.iter().find(same).map_or(key.key, |at| at.key);
-        for between in from.min(key.key)..=from.max(key.key) {
-            let next = KeyAt {
-                key: between,
-                ..key.clone()
-            };
+    for mut one in clicked {
+        let to = key(&mut one).key;
+        let same = |other: &T| {
+            let mut other = other.clone();
+            let from = std::mem::replace(&mut key(&mut other).key, to);
+            (other == one).then_some(from)
+        };
+        let from = all.iter().find_map(same).unwrap_or(to);
+        for between in from.min(to)..=from.max(to) {
+            let mut next = one.clone();
+            key(&mut next).key = between;
             if !all.contains(&next) {
                 all.push(next);
             }

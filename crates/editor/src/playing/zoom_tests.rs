@@ -1,15 +1,12 @@
 //! Tests of [`super`], by mouse and keys as in the window.
 
 use egui::{Key, Modifiers, Pos2, Rangef, pos2, vec2};
-use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 
 use super::*;
+use crate::playing::tracks::tests::{Window, steps_on};
 use crate::screenshots::screenshot;
 use crate::space::tests::{motion, press, pyramid_window, release, tap};
-use crate::state::Editor;
-
-type Window = Harness<'static, Editor>;
 
 fn axis(harness: &Window) -> Axis {
     let bar = harness.get_by_label("Frame").rect();
@@ -28,13 +25,6 @@ fn wheel(harness: &mut Window, at: Pos2, steps: f32, modifiers: Modifiers) {
         modifiers,
     });
     steps_on(harness);
-}
-
-/// A hint that comes keeps the window busy.
-fn steps_on(harness: &mut Window) {
-    for _ in 0..4 {
-        harness.step();
-    }
 }
 
 /// The middles of ruler, keys and graph, at this part of their width.

@@ -8,7 +8,7 @@ use vides_raster::Lines;
 
 use super::{markers, tracks};
 use crate::playing::axis::Axis;
-use crate::space::typed::Typed;
+use crate::state::playing::drag::Drag;
 use crate::state::playing::{Beside, Retiming};
 
 /// The speeds of the whole path.
@@ -39,7 +39,7 @@ pub(crate) enum Held {
     #[default]
     Nothing,
     /// A key or a border.
-    Key(Box<KeyDrag>),
+    Key(Box<Drag<KeyDrag>>),
     /// One of the ten speeds, the pointer's offset from its middle, and whether the section beside,
     /// which goes on as fast, follows.
     Speed(usize, f32, bool),
@@ -59,24 +59,17 @@ pub(crate) struct Memory {
 /// Pieces of a section's curve.
 pub(crate) const PIECES: usize = 24;
 
-/// A key that is dragged along the time.
+/// A key of the path that is dragged.
 #[derive(Debug)]
 pub(crate) struct KeyDrag {
     /// What was taken; what shows it may vanish meanwhile.
     pub(crate) id: Id,
     pub(crate) of: Selection,
-    /// The frame at which it stood.
+    /// The path's frame at which it stood.
     pub(crate) from: usize,
     pub(crate) beside: Beside,
-    /// The pointer of the last pass.
-    pub(crate) pointer: f32,
-    /// Frames that it went, and how many a point of the screen are.
-    pub(crate) gone: f64,
-    pub(crate) each: f64,
-    /// All frames when it began, and those of the axis: the scale stays meanwhile.
+    /// All frames when it began.
     pub(crate) frames: usize,
-    pub(crate) all: (f64, f64),
-    pub(crate) typed: Typed,
     pub(crate) done: Retiming,
 }
 

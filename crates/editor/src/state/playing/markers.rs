@@ -1,22 +1,19 @@
 //! Markers that are dragged or renamed.
 
-use crate::state::playing::tracks::Way;
+use crate::state::playing::drag::Drag;
 
 /// What the markers remember from pass to pass.
 #[derive(Debug, Default)]
 pub(crate) struct Memory {
-    pub(crate) held: Option<Drag>,
+    pub(crate) held: Option<Box<Drag<Moved>>>,
     pub(crate) renaming: Option<Renaming>,
 }
 
-/// A marker that is dragged.
+/// A marker that is dragged, and the scene's frame to which it moves.
 #[derive(Debug)]
-pub(crate) struct Drag {
+pub(crate) struct Moved {
     pub name: String,
-    /// The scene's frames from which and to which it moves.
-    pub(crate) from: f64,
     pub(crate) to: f64,
-    pub(crate) way: Way,
 }
 
 /// A marker that gets another name.

@@ -1,5 +1,6 @@
 //! What the timeline remembers, and what can be asked for there.
 
+pub(crate) mod drag;
 pub(crate) mod graph;
 pub(crate) mod markers;
 pub(crate) mod plot;
@@ -106,7 +107,7 @@ pub(crate) struct Playing {
     pub(crate) seen: Option<Seen>,
     /// Only the frames in which what is selected moves are played.
     pub(crate) only_selected: bool,
-    /// The first and the last frame of the axis, which stays while something of a scene is dragged.
+    /// The first and the last frame of the axis, which stays while something is dragged.
     pub(crate) axis: (f64, f64),
 }
 

@@ -6,7 +6,8 @@ use std::sync::Arc;
 use egui::Pos2;
 use vides_engine::scene::Channel;
 
-use crate::state::playing::tracks::{KeyMotion, Way};
+use crate::state::playing::drag::Drag;
+use crate::state::playing::tracks::KeyMotion;
 use crate::state::scene_view::KeyAt;
 use crate::state::space::Joint;
 
@@ -41,7 +42,7 @@ pub(crate) struct Dot {
 pub(crate) enum Held {
     #[default]
     Nothing,
-    Dots(Box<DotsDrag>),
+    Dots(Box<Drag<DotsDrag>>),
     Handle(Box<HandleDrag>),
     /// Where the box began, and what stays selected besides.
     Box {
@@ -56,16 +57,16 @@ pub(crate) type Joints = BTreeMap<PartOf, Joint>;
 /// Numbers of keys that are dragged.
 #[derive(Debug)]
 pub(crate) struct DotsDrag {
-    pub(crate) keys: Vec<KeyAt>,
     pub(crate) parts: Arc<Parts>,
     /// What the graph knew of selected numbers.
     pub(crate) before: Parts,
-    /// What was taken: the frame and the number at which it stood.
-    pub(crate) dot: Dot,
-    pub(crate) from: (f64, f64),
-    pub(crate) way: Way,
-    /// The pointer of the last pass, and how far the number has gone.
+    /// The number that was taken as it was, and whether that is just to be read.
+    pub(crate) value: f64,
+    pub(crate) read_only: bool,
+    pub(crate) channel: Channel,
+    /// The pointer of the last pass, what a point is worth, and how far the number has gone.
     pub(crate) pointer: f32,
+    pub(crate) each: f64,
     pub(crate) gone: f64,
     /// Some of the numbers are not just to be read.
     pub(crate) lifts: bool,

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use vides_engine::scene::Extrapolation;
 
 use super::track_graph;
-use crate::space::typed::Typed;
+use crate::state::playing::drag::Drag;
 use crate::state::playing::track_graph::Parts;
 use crate::state::scene_view::KeyAt;
 
@@ -35,8 +35,8 @@ pub(crate) struct Row {
 pub(crate) enum Held {
     #[default]
     Nothing,
-    Keys(Box<KeysDrag>),
-    Bar(Box<BarDrag>),
+    Keys(Box<Drag<KeysDrag>>),
+    Bar(Box<Drag<BarDrag>>),
     /// Where the box began: its x, and its row with a fraction; what stays selected besides.
     Box {
         x: f32,
@@ -45,26 +45,11 @@ pub(crate) enum Held {
     },
 }
 
-/// How far the pointer has gone along the time, and what was typed.
-#[derive(Debug, Default)]
-pub(crate) struct Way {
-    /// The pointer of the last pass.
-    pub(crate) pointer: f32,
-    /// Frames that it went.
-    pub(crate) gone: f64,
-    pub(crate) typed: Typed,
-    pub(crate) copies: bool,
-}
-
 /// Keys that are dragged.
 #[derive(Debug)]
 pub(crate) struct KeysDrag {
-    pub(crate) keys: Vec<KeyAt>,
-    /// The frame at which what was taken stood.
-    pub(crate) from: f64,
     /// The other end of the selection, if its time is scaled.
     pub(crate) about: Option<f64>,
-    pub(crate) way: Way,
     pub(crate) done: KeyMotion,
 }
 
@@ -72,12 +57,10 @@ pub(crate) struct KeysDrag {
 #[derive(Debug)]
 pub(crate) struct BarDrag {
     pub(crate) node: usize,
-    pub(crate) from: f64,
     pub(crate) at: f64,
     pub(crate) beyond: Extrapolation,
     /// No pin holds it.
     pub(crate) free: bool,
-    pub(crate) way: Way,
 }
 
 /// What becomes of keys in time.
