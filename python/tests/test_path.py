@@ -204,6 +204,14 @@ def test_tools_and_checks(path: vides.Path, tmp_path: File) -> None:
     assert path.frame_count == 50
 
 
+def test_the_total_is_shared_anew_after_a_point_moved() -> None:
+    path = vides.Path([[0, 0, 0], [1, 0, 0], [2, 0, 0], [3, 0, 0]], curve="linear", frames=301)
+    assert [section.frames for section in path.sections] == [100, 100, 100]
+    path.points[1].position = (0.5, 0, 0)
+    path.set_frames(301)
+    assert [section.frames for section in path.sections] == [50, 150, 100]
+
+
 def test_a_recording_is_fitted(path: vides.Path) -> None:
     recorded = path.sample()
     fitted = vides.Path.fit(recorded, tolerance=0.01)

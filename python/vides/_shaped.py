@@ -178,6 +178,9 @@ class Shaped(Tools, PathProperties):
     def set_frames(self, frames: int, first: int = 0, last: int = -1) -> None:
         """Sets the exact number of poses from point ``first`` to point ``last``, both included.
 
+        Sections share them by what they take at their speed, whatever they had; those with
+        ``locked`` keep theirs.
+
         >>> path = Path()
         >>> path.set_frames(101)
         >>> path.frame_count

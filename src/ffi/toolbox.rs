@@ -38,8 +38,8 @@ fn plain() -> impl Iterator<Item = Tool> {
 /// "reverse"  the same poses in reverse order
 /// "repeat"   count times, each beginning where the last one ended: times
 /// "frames"   fixes the frames from the first pose at one point to the last pose at
-///            another: frames, first, last. Sections share them in proportion, at least
-///            one each; those with "locked" keep theirs
+///            another: frames, first, last. Sections share them by what they take at their
+///            speed, at least one each; those with "locked" keep theirs
 /// "retime"   speed as fast as the limits of v_path_check() allow, or for a duration with
 ///            the lowest peaks: seconds, first, last. Reports "seconds"
 /// "steady"   stabilises a recorded flight: period in seconds, within. Reports

@@ -361,6 +361,37 @@ static void kept_tangents_lapse(void)
     v_path_free(path);
 }
 
+/* After a point moved the total is shared anew, by length, but for what is locked. */
+static void frames_follow_length(void)
+{
+    V_PATH *path = new_path();
+    double place[3] = {0, 0, 0.5}, frames[3];
+    const double ways[4] = {-0.8, 1.0, -0.2, 0.4};
+    const size_t at[4] = {0, 1, 1, 2};
+    int k, round;
+
+    OK(v_path_set_text(path, "curve", "linear"));
+    for (k = 0; k < 4; k++) {
+        place[0] = ways[k];
+        OK(k < 2 ? v_path_set_position(path, at[k], place) : v_path_insert_point(path, at[k], place));
+    }
+    OK(tool(path, "frames", NULL, "frames=301"));
+    for (round = 0; round < 3; round++) {
+        for (k = 0; k < 3; k++)
+            OK(v_path_get_number(path, v_path_key((size_t)k, 0, "frames"), &frames[k]));
+        CHECK(frames[0] == (round == 0 ? 100 : 17) && frames[2] == 100);
+        CHECK(frames[1] == (round == 0 ? 100 : round == 1 ? 183 : 383));
+        place[0] = -0.7;
+        OK(v_path_set_position(path, 1, place));
+        if (round == 1) {
+            OK(v_path_set_flag(path, v_path_key(0, 0, "locked"), 1));
+            OK(v_path_set_flag(path, v_path_key(2, 0, "locked"), 1));
+        }
+        OK(tool(path, "frames", NULL, round == 0 ? "frames=301" : "frames=501"));
+    }
+    v_path_free(path);
+}
+
 /* All of it comes back from a file. */
 static void saved(const char *folder)
 {
@@ -402,6 +433,7 @@ int main(int argc, char **argv)
     kept_tangents_lapse();
     easing();
     fixed_frames();
+    frames_follow_length();
     along_the_way();
     ups();
     saved(argc > 1 ? argv[1] : ".");

@@ -14,7 +14,7 @@ use super::set::{self, checked, orientation, point};
 use super::target;
 use crate::error::{End, Place, Refused, Result, TooMany};
 use vides_engine::limits;
-use vides_engine::path::fit_frames::fit_frames;
+use vides_engine::path::fit_frames::Fixed;
 use vides_engine::path::insertion::{self, Insertion};
 use vides_engine::path::space::Move;
 use vides_engine::path::{CameraPath, Orientation, Space, SupportPoint, Target, Timeline, Up};
@@ -23,9 +23,13 @@ use vides_engine::property::SameBits;
 use vides_engine::scene::Scene;
 use vides_engine::tools::{block, transform};
 
+/// Shares frames among the sections from one point to another.
+pub(super) type Share =
+    fn(&CameraPath, &Timeline, usize, usize, usize) -> vides_engine::Result<Vec<Fixed>>;
+
 /// Does an edit. After an error `content` may be changed in part and is to be dropped; where nothing
 /// changes it shares all with what it was copied from.
-pub(super) fn apply(content: &mut Content, edit: Edit) -> Result<()> {
+pub(super) fn apply(content: &mut Content, edit: Edit, share: Share) -> Result<()> {
     let none_edited = matches!(&content.scene, Some(edited) if edited.node().is_none());
     if none_edited && edit.needs_path() {
         return Err(Refused::NoPathEdited.into());
@@ -49,7 +53,7 @@ pub(super) fn apply(content: &mut Content, edit: Edit) -> Result<()> {
             frames,
         } => {
             let timeline = Timeline::new(path)?;
-            let fixed = fit_frames(path, &timeline, first, last, frames)?;
+            let fixed = share(path, &timeline, first, last, frames)?;
             content.set_frames(fixed)
         }
         Edit::RemovePoint { at } => {

@@ -41,7 +41,8 @@ pub enum Edit {
         frame: f64,
     },
     /// Fixes the frames of all moving sections from the first orientation of one point to the last
-    /// of another, so that the range has exactly `frames` poses. All points
+    /// of another, so that the range has exactly `frames` poses, shared anew by the time that each
+    /// takes at its speed ([`vides_engine::path::fit_frames::fit_frames`]). All points
     /// of a closed path mean its whole way.
     FitFrames {
         /// The first point.

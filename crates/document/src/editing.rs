@@ -3,7 +3,7 @@
 use std::mem::replace;
 use std::sync::Arc;
 
-use super::apply;
+use super::apply::{self, Share};
 use super::content::Content;
 use super::edit::{Edit, Selection};
 use super::edited_scene::fresh_revision;
@@ -18,6 +18,7 @@ use super::step_name::StepName;
 use super::touched::Touched;
 use crate::error::Result;
 use vides_engine::limits;
+use vides_engine::path::fit_frames::fit_frames;
 use vides_engine::path::up_vector::check_ups;
 use vides_engine::path::{CameraPath, Orientation, Plan, SupportPoint, UpVector};
 
@@ -193,11 +194,16 @@ impl Document {
     /// # Errors
     /// Why the edit is impossible; the document is unchanged then.
     pub fn apply(&mut self, edit: Edit) -> Result<()> {
+        self.apply_sharing(edit, fit_frames)
+    }
+
+    /// The same; a number of frames is shared in this way.
+    pub(super) fn apply_sharing(&mut self, edit: Edit, share: Share) -> Result<()> {
         let chooses = matches!(edit, Edit::EditNode(_));
         let name = StepName::of(&edit, self.path(), self.info());
         let moves = lapse::moves_points(&edit);
         let mut next = self.content.clone();
-        apply::apply(&mut next, edit)?;
+        apply::apply(&mut next, edit, share)?;
         if next.shares_all(&self.content) {
             return Ok(());
         }

@@ -9,7 +9,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use vides_engine::limits::MAX_SECTION_FRAMES;
-use vides_engine::path::fit_frames::{Fixed, share};
+use vides_engine::path::fit_frames::{Fixed, scale_frames, share};
 use vides_engine::path::{CameraPath, Change, Orientation, Timeline};
 
 use super::Edit;
@@ -276,13 +276,14 @@ fn keys_of(path: &CameraPath, points: Range<usize>) -> Range<usize> {
 impl Document {
     /// As [`Document::apply`]; all keys but those that the edit is about keep their times: where a
     /// point is removed its two sections are joined and their frames add up. Speeds, base speeds,
-    /// frames of a section and holds have the effect that they have in [`Document::apply`].
+    /// frames of a section and holds have the effect that they have in [`Document::apply`]. A number
+    /// of frames stretches the times of all keys, which keep their proportions.
     ///
     /// # Errors
     /// As [`Document::apply`].
     pub fn apply_keeping_times(&mut self, edit: Edit) -> Result<()> {
         match About::of(&edit) {
-            About::Order => self.apply(edit),
+            About::Order => self.apply_sharing(edit, scale_frames),
             _ => self.apply_all_keeping_times([edit]),
         }
     }
@@ -297,7 +298,7 @@ impl Document {
             for edit in edits {
                 let about = About::of(&edit);
                 let before = Arc::clone(&document.content.path);
-                document.apply(edit)?;
+                document.apply_sharing(edit, scale_frames)?;
                 match about.is_of_times(&before, document.path()) {
                     true => times = KeyTimes::of(document)?,
                     false => times.follow(about, &before, document),

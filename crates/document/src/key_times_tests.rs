@@ -381,6 +381,53 @@ fn no_other_key_gets_another_time_in_many_edits() {
     }
 }
 
+/// After a point moved the whole is given a number of frames: where times are fixed each key keeps its
+/// share of it, else each section takes what its length needs.
+#[test]
+fn a_number_of_frames_keeps_the_times_or_follows_the_speed() {
+    let mut document = Document::new();
+    document
+        .apply(Edit::set(At::Path, "curve", CurveKind::Linear))
+        .unwrap();
+    let divide = Edit::DivideSegment {
+        segment: 0,
+        points: 2,
+    };
+    document.apply(divide).unwrap();
+    let total = |frames| Edit::FitFrames {
+        first: 0,
+        last: 3,
+        frames,
+    };
+    document.apply(total(301)).unwrap();
+    let frames = |document: &Document| {
+        let frames = |at: usize| document.path().points[at].orientations[0].own.frames;
+        [frames(0), frames(1), frames(2)]
+    };
+    assert_eq!(frames(&document), [100, 100, 100]);
+    let ends = [0, 3].map(|at| document.path().points[at].position);
+    let place = ends[0].lerp(ends[1], 0.1);
+    let moved = Edit::set(At::Point(1), "position", place);
+    document.apply_keeping_times(moved).unwrap();
+    document.apply_keeping_times(total(601)).unwrap();
+    assert_eq!(frames(&document), [200, 200, 200]);
+    document.apply_all_keeping_times([total(301)]).unwrap();
+    assert_eq!(frames(&document), [100, 100, 100]);
+    document.apply(total(301)).unwrap();
+    assert_eq!(frames(&document), [30, 170, 100]);
+    // What is locked stays in either case.
+    document
+        .apply(Edit::set(At::View(2, 0), "locked", true))
+        .unwrap();
+    document.apply_keeping_times(total(501)).unwrap();
+    assert_eq!(frames(&document), [60, 340, 100]);
+    document
+        .apply(Edit::set(At::View(0, 0), "frames", 1))
+        .unwrap();
+    document.apply(total(501)).unwrap();
+    assert_eq!(frames(&document), [60, 340, 100]);
+}
+
 /// Of a turn that becomes larger the way behind it gives the frames; the turn is not squeezed.
 #[test]
 fn a_turn_takes_its_frames_from_the_way_behind_it() {

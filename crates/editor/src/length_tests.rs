@@ -314,3 +314,42 @@ fn the_choice_is_the_setups_and_not_the_files() {
     click(&mut window, "Times of the keys");
     assert_eq!([word(&open(false)), word(&open(true))], ["fixed"; 2]);
 }
+
+/// After a point moved, the duration that is typed keeps the places of keys in time, or shares the
+/// frames by the length of the sections.
+#[test]
+fn a_typed_duration_does_what_the_word_says() {
+    let mut window = window_of_300_frames(Language::English);
+    let each = |window: &Window| {
+        let document = &window.state().document;
+        let sections = |timeline: &Timeline| {
+            let moving = timeline.moving().map(|at| timeline.section(at));
+            let numbers = |of: vides_engine::path::Section| (of.point, of.frames as f64);
+            moving.map(numbers).collect::<Vec<_>>()
+        };
+        document.timeline(sections).unwrap()
+    };
+    move_away(&mut window);
+    let before = each(&window);
+    enter(&mut window, "Duration", "24");
+    assert_eq!(frames(&window), 600);
+    for (old, new) in before.iter().zip(each(&window)) {
+        assert!(
+            (new.1 - old.1 * 599.0 / 299.0).abs() <= 1.0,
+            "{old:?} {new:?}"
+        );
+    }
+    click(&mut window, "Times of the keys");
+    enter(&mut window, "Duration", "40");
+    assert_eq!(frames(&window), 1000);
+    let document = &window.state().document;
+    let by_length = |timeline: &Timeline| {
+        let length = |(point, _): &(usize, f64)| timeline.segment_length(*point);
+        each(&window).iter().map(length).collect::<Vec<_>>()
+    };
+    let ways = document.timeline(by_length).unwrap();
+    let all: f64 = ways.iter().sum();
+    for ((_, frames), way) in each(&window).iter().zip(&ways) {
+        assert!((frames - way / all * 999.0).abs() <= 1.0, "{frames} {way}");
+    }
+}

@@ -1,10 +1,10 @@
 //! A path, or a range of its points, brought to a number of frames: sections share them in
-//! proportion to their unrounded durations, at least one each, by largest remainder, so that the
-//! sum is exact.
+//! proportion to the time that they take at their speed, or to the frames that they have, at least
+//! one each, by largest remainder, so that the sum is exact.
 
 use std::ops::Range;
 
-use super::camera_path::CameraPath;
+use super::camera_path::{CameraPath, Orientation};
 use super::timeline::{Change, Timeline};
 use crate::error::{OutOfRange, Result, vec_with_room};
 use crate::limits::MAX_FRAMES;
@@ -29,6 +29,23 @@ impl Fixed {
         let own = &mut path.points[self.point].orientations[self.orientation].own;
         *own = own.with(|own| own.frames = self.frames)?;
         Ok(())
+    }
+
+    fn begin(self, path: &CameraPath) -> &Orientation {
+        &path.points[self.point].orientations[self.orientation]
+    }
+
+    /// Whether the section has values that count by its frames: a curve time, or angular velocities
+    /// at both ends, as in what was recorded.
+    fn is_timed(self, path: &CameraPath) -> bool {
+        let here = &path.points[self.point].orientations;
+        let next = &path.points[(self.point + 1) % path.points.len()].orientations;
+        let [begin, end] = [
+            self.begin(path),
+            here.get(self.orientation + 1).unwrap_or(&next[0]),
+        ];
+        let turns = |view: &Orientation| view.own.velocities.is_some();
+        begin.own.curve_time.is_some() || turns(begin) && turns(end)
     }
 }
 
@@ -63,7 +80,9 @@ fn range(path: &CameraPath, timeline: &Timeline, first: usize, last: usize) -> R
 }
 
 /// Frames for the moving sections of a range of points (from 0), with exactly `frames` from the first
-/// pose at `first` to the last at `last`, holds included. Proportions are kept.
+/// pose at `first` to the last at `last`, holds included, in proportion to the time that they take
+/// at their speed, whatever their frames were. Locked sections keep theirs; those with a curve time
+/// or with angular velocities at both ends, which count by their frames, keep their proportion.
 ///
 /// # Errors
 /// [`crate::Error::Range`] for a range that does not exist, or fewer or more frames than it can
@@ -76,13 +95,24 @@ pub fn fit_frames(
     frames: usize,
 ) -> Result<Vec<Fixed>> {
     let sections = range(path, timeline, first, last)?;
-    fit(
-        path,
-        timeline,
-        &sections,
-        1 + end_hold(path, first, last),
-        frames,
-    )
+    let extra = 1 + end_hold(path, first, last);
+    fit(path, timeline, &sections, extra, frames, By::Speed)
+}
+
+/// The same in proportion to the frames that the sections have: keys keep their places in time.
+///
+/// # Errors
+/// As [`fit_frames`].
+pub fn scale_frames(
+    path: &CameraPath,
+    timeline: &Timeline,
+    first: usize,
+    last: usize,
+    frames: usize,
+) -> Result<Vec<Fixed>> {
+    let sections = range(path, timeline, first, last)?;
+    let extra = 1 + end_hold(path, first, last);
+    fit(path, timeline, &sections, extra, frames, By::Frames)
 }
 
 /// The frames of a range of points as [`fit_frames`] counts them.
@@ -107,7 +137,8 @@ fn end_hold(path: &CameraPath, first: usize, last: usize) -> usize {
     end.map_or(0, |end| end.hold as usize)
 }
 
-/// Frames for the moving sections between two points: `last` is reached `frames` after `first`.
+/// Frames for the moving sections between two points: `last` is reached `frames` after `first`. They
+/// keep their proportions.
 ///
 /// # Errors
 /// As [`fit_frames`].
@@ -120,7 +151,7 @@ pub fn fit_between(
 ) -> Result<Vec<Fixed>> {
     let mut sections = vec_with_room(timeline.section_count())?;
     sections.extend(between(timeline, first, last));
-    fit(path, timeline, &sections, 0, frames)
+    fit(path, timeline, &sections, 0, frames, By::Frames)
 }
 
 /// The frames from reaching one point to reaching a later one, holds included.
@@ -148,6 +179,15 @@ fn between(timeline: &Timeline, first: usize, last: usize) -> Range<usize> {
     start(first)..start(last)
 }
 
+/// What the frames of sections are in proportion to.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum By {
+    /// The time that they take at their speed.
+    Speed,
+    /// The frames that they have.
+    Frames,
+}
+
 /// Frames for these sections that with their holds and `extra` make exactly `frames`.
 #[allow(clippy::cast_precision_loss)]
 fn fit(
@@ -156,6 +196,7 @@ fn fit(
     sections: &[usize],
     extra: usize,
     frames: usize,
+    by: By,
 ) -> Result<Vec<Fixed>> {
     let mut fixed: Vec<Fixed> = vec_with_room(sections.len())?;
     let mut weights: Vec<f64> = vec_with_room(sections.len())?;
@@ -190,8 +231,39 @@ fn fit(
         let most = if fixed.is_empty() { least } else { MAX_FRAMES };
         return Err(OutOfRange::TooManyFrames { frames, most }.into());
     }
+    if by == By::Speed {
+        weigh_by_speed(path, &fixed, &mut weights)?;
+    }
     share(&mut fixed, &mut weights, frames - extra - holds)?;
     Ok(fixed)
+}
+
+/// Weighs sections, in all as before, by the time that they take at their speed; not those that
+/// count by their frames.
+fn weigh_by_speed(path: &CameraPath, sections: &[Fixed], weights: &mut [f64]) -> Result<()> {
+    let mut free: Vec<(usize, &Fixed)> = vec_with_room(sections.len())?;
+    free.extend((0..).zip(sections).filter(|(_, at)| !at.is_timed(path)));
+    let fixed = |(_, at): &&(usize, &Fixed)| at.begin(path).own.frames > 0;
+    if !free.iter().any(|at| fixed(&at)) {
+        return Ok(());
+    }
+    // Frames that sections have bear on the joints of speeds beside them.
+    let mut plain = path.try_clone()?;
+    for &(_, &at) in free.iter().filter(fixed) {
+        Fixed { frames: 0, ..at }.apply(&mut plain)?;
+    }
+    let timeline = Timeline::new(&plain)?;
+    let frames = |at: &Fixed| {
+        let section = timeline.section_from(at.point, at.orientation);
+        section.map_or(0.0, |at| timeline.unrounded_frames(&plain, at))
+    };
+    let before: f64 = free.iter().map(|&(k, _)| weights[k]).sum();
+    let ratio = before / free.iter().map(|(_, at)| frames(at)).sum::<f64>();
+    let ratio = if ratio.is_normal() { ratio } else { 1.0 };
+    for (k, at) in free {
+        weights[k] = frames(at) * ratio;
+    }
+    Ok(())
 }
 
 /// Shares `frames` in proportion to the weights (≥ 0; they are changed), at least 1 for each, by
@@ -251,188 +323,5 @@ pub fn share(fixed: &mut [Fixed], weights: &mut [f64], frames: usize) -> Result<
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::path::insertion::tests::random_path;
-    use crate::path::test_support::Random;
-    use crate::path::{Plan, Sampler, SupportPoint};
-    use glam::DVec3;
-
-    fn set(path: &mut CameraPath, fixed: &[Fixed]) {
-        for fixed in fixed {
-            fixed.apply(path).unwrap();
-        }
-    }
-
-    #[test]
-    fn a_locked_section_keeps_its_frames() {
-        let points = [-0.5, 0.0, 0.1, 0.9];
-        let mut path = CameraPath {
-            points: points
-                .map(|x| SupportPoint::new(DVec3::new(x, 0.0, 0.5)))
-                .into(),
-            ..CameraPath::default()
-        };
-        let lock = |path: &mut CameraPath, at: usize| {
-            let orientation = &mut path.points[at].orientations[0];
-            orientation.own = orientation.own.with(|own| own.locked = true).unwrap();
-        };
-        let fit = |path: &CameraPath, frames: usize| {
-            let fit = |timeline: &Timeline| fit_frames(path, timeline, 0, 3, frames);
-            Plan::new().timeline(path, fit).unwrap()
-        };
-        let before: Vec<usize> = Plan::new()
-            .timeline(&path, |timeline| {
-                (0..3).map(|at| timeline.section(at).frames).collect()
-            })
-            .unwrap();
-        lock(&mut path, 1);
-        let fixed = fit(&path, 1000).unwrap();
-        let points: Vec<usize> = fixed.iter().map(|fixed| fixed.point).collect();
-        assert_eq!(points, [0, 2]);
-        let sum: usize = fixed.iter().map(|fixed| fixed.frames as usize).sum();
-        assert_eq!(1 + sum + before[1], 1000);
-        // Fewer than it leaves are refused, and any other number where all are locked.
-        let least = 1 + before[1] + 2;
-        assert!(fit(&path, least).is_ok() && fit(&path, least - 1).is_err());
-        lock(&mut path, 0);
-        lock(&mut path, 2);
-        let whole = 1 + before.iter().sum::<usize>();
-        assert!(fit(&path, whole).unwrap().is_empty());
-        assert!(fit(&path, whole - 1).is_err() && fit(&path, whole + 1).is_err());
-    }
-
-    #[test]
-    fn ten_thousand_paths_have_exactly_so_many_frames() {
-        let mut random = Random(51);
-        for round in 0..10_000 {
-            let mut path = random_path(&mut random, round);
-            if round % 4 == 0 {
-                // Coincident points: sections in which nothing changes.
-                let mut twin = path.points[0].clone();
-                twin.orientations.truncate(1);
-                path.points.insert(1, twin.clone());
-                path.points[0] = twin;
-            }
-            let timeline = Timeline::new(&path).unwrap();
-            let last = path.points.len() - 1;
-            let fit = |frames| fit_frames(&path, &timeline, 0, last, frames);
-            let said = fit(0).unwrap_err().to_string();
-            let least: usize = said.rsplit(' ').next().unwrap().parse().unwrap();
-            assert!(fit(least - 1).is_err());
-            let frames = match round % 3 {
-                0 => least,
-                _ => least + (random.unit() * 2000.0) as usize,
-            };
-            let fixed = fit(frames).unwrap();
-            set(&mut path, &fixed);
-            let timeline = Timeline::new(&path).unwrap();
-            assert_eq!(timeline.frame_count().unwrap(), frames, "round {round}");
-            let sampler = Sampler::new(&path, &timeline).unwrap();
-            assert_eq!(sampler.frame_count(), frames);
-        }
-    }
-
-    #[test]
-    fn frames_go_by_largest_remainder() {
-        let frames = |weights: &[f64], frames: usize| {
-            let one = Fixed {
-                point: 0,
-                orientation: 0,
-                frames: 1,
-            };
-            let mut fixed = vec![one; weights.len()];
-            share(&mut fixed, &mut weights.to_vec(), frames).unwrap();
-            fixed.iter().map(|fixed| fixed.frames).collect::<Vec<_>>()
-        };
-        // Hare's method: 4.8, 3.6, 1.6 of 10.
-        assert_eq!(frames(&[48.0, 36.0, 16.0], 10), [5, 4, 1]);
-        assert_eq!(frames(&[1.0, 1.0, 1.0], 5), [2, 2, 1]);
-        assert_eq!(frames(&[1.0, 1.0, 1.0, 1.0], 10), [3, 3, 2, 2]);
-        assert_eq!(frames(&[0.0, 0.0], 5), [3, 2]);
-        assert_eq!(frames(&[f64::INFINITY, 1.0], 5), [4, 1]);
-        assert_eq!(frames(&[5.0, 0.0, 1e-300], 3), [1, 1, 1]);
-        // One each for the light ones, the rest by weight.
-        assert_eq!(frames(&[0.001, 6.0, 0.5, 3.0], 11), [1, 6, 1, 3]);
-        assert_eq!(
-            frames(&[3.0, 1.0], 99_999_992).iter().sum::<u32>(),
-            99_999_992
-        );
-    }
-
-    /// From twice as many frames as sections on, each section's frames are within one of its share.
-    #[test]
-    fn sections_have_one_mean_speed() {
-        let points = [-0.9, -0.897, -0.6, -0.59, 0.1, 0.9];
-        let path = CameraPath {
-            points: points
-                .map(|x| SupportPoint::new(DVec3::new(x, 0.0, 0.5)))
-                .into(),
-            curve: crate::path::CurveKind::Linear,
-            ..CameraPath::default()
-        };
-        let timeline = Timeline::new(&path).unwrap();
-        for frames in [11, 50, 1000, 20_000, 1_000_000] {
-            let fixed = fit_frames(&path, &timeline, 0, 5, frames).unwrap();
-            let mut speeds = fixed.iter().zip(points.windows(2)).map(|(fixed, ends)| {
-                let share = (ends[1] - ends[0]) * (frames - 1) as f64 / 1.8;
-                (f64::from(fixed.frames), share)
-            });
-            assert!(
-                speeds.all(|(frames, share)| (frames - share).abs() <= 1.0 || frames == 1.0),
-                "{frames}: {fixed:?}"
-            );
-        }
-    }
-
-    #[test]
-    fn a_path_that_has_so_many_stays_as_it_is() {
-        let mut random = Random(52);
-        for round in 0..500 {
-            let mut path = random_path(&mut random, round);
-            let last = path.points.len() - 1;
-            let timeline = Timeline::new(&path).unwrap();
-            let fixed = fit_frames(&path, &timeline, 0, last, 500).unwrap();
-            set(&mut path, &fixed);
-            let timeline = Timeline::new(&path).unwrap();
-            assert_eq!(fit_frames(&path, &timeline, 0, last, 500).unwrap(), fixed);
-        }
-    }
-
-    #[test]
-    fn a_range_changes_nothing_outside_it() {
-        let mut random = Random(53);
-        for round in 0..300 {
-            let mut path = random_path(&mut random, round);
-            path.points.push(SupportPoint::new(glam::DVec3::ONE));
-            let timeline = Timeline::new(&path).unwrap();
-            let count = path.points.len();
-            let (a, b) = (round % count, (round / 5) % count);
-            let fitted = fit_frames(&path, &timeline, a, b, 300);
-            if a > b && !path.closed {
-                assert!(fitted.is_err());
-                continue;
-            }
-            let inside = |point: usize| {
-                if a <= b {
-                    (a..=b).contains(&point)
-                } else {
-                    point >= a || point <= b
-                }
-            };
-            for fixed in fitted.unwrap_or_default() {
-                let last = path.points[fixed.point].orientations.len() - 1;
-                let whole = path.closed && (a, b) == (0, count - 1);
-                assert!(
-                    inside(fixed.point) && (whole || fixed.point != b || fixed.orientation < last)
-                );
-            }
-        }
-        let path = CameraPath::default();
-        let timeline = Timeline::new(&path).unwrap();
-        assert!(fit_frames(&path, &timeline, 0, 2, 100).is_err());
-        assert!(fit_frames(&path, &timeline, 0, 0, 2).is_err());
-        assert!(fit_frames(&path, &timeline, 0, 1, MAX_FRAMES + 1).is_err());
-        assert_eq!(fit_frames(&path, &timeline, 0, 0, 1).unwrap(), []);
-    }
-}
+#[path = "fit_frames_tests.rs"]
+mod tests;
