@@ -97,7 +97,7 @@ def nothing_is_left_of_what_was_kept_or_discarded(place):
 
     def discard(server, host, window):
         ask(server, window, lambda: server.press(window, "ctrl+q"))
-        server.press(window, "Tab", "Return")
+        server.press(window, "shift+Tab", "Return")
         host.expect("gone 0 0")
         server.gone(window)
 
@@ -175,7 +175,7 @@ def an_xt_host_goes_on_while_its_editor_asks(place):
         host.expect("quit 14")
         host.live()
         ask(server, window, lambda: host.send("quit 1"))
-        server.press(window, "Tab", "Return")
+        server.press(window, "shift+Tab", "Return")
         host.expect("quit 0")
         server.gone(window)
         check(not work(place), f"{work(place)}")
@@ -215,7 +215,7 @@ def a_motif_host_quits_as_the_documents_say(place):
         check(host.alive() and server.windows() == [window], "it has ended")
         goes_on()
     ask(server, window, lambda: press(2))
-    server.press(window, "Tab", "Return")
+    server.press(window, "shift+Tab", "Return")
     check(host.ends() == 0, "its exit status")
     check(host.said.count("it stays") == 2, f"asked twice: {host.said}")
     check(not work(place), f"{work(place)}")

@@ -110,8 +110,7 @@ class Hand:
     def way(self, number):
         """A way to begin that the empty window offers, or one that goes with a file."""
         def button(picture):
-            bottom = picture.height - timeline(picture.height)
-            return boxes(picture, BUTTON, 160, bottom - 90, picture.width - PANEL, bottom,
+            return boxes(picture, BUTTON, 160, 60, picture.width - PANEL, picture.height,
                          (80, 50))[-1][number]
 
         return self.server.seen(self.window, button, f"way {number} to begin")

@@ -10,7 +10,7 @@ import math
 ROTATION, TILT = 28.0, 20.0
 """Of a new window, in degrees."""
 
-CUBE = (0x76, 0x80, 0x8E)
+CUBE = (0x4D, 0x54, 0x5F)
 """Colour of the cube's edges in the dark theme."""
 
 
@@ -65,7 +65,7 @@ def first_look(picture):
     columns = {}
     # Beside the space, in a wide window, is the list of points.
     left = 150 if picture.width >= 1100 else 0
-    for x, y in picture.find(CUBE, 45):
+    for x, y in picture.find(CUBE, 8):
         if x >= left:
             columns.setdefault(x, []).append(y)
     upright = []

@@ -140,6 +140,25 @@ impl Action {
         }
     }
 
+    /// Whether there is nothing to do it to on the first screen.
+    pub(super) const fn needs_path(&self) -> bool {
+        match self {
+            Self::Path(action) => !matches!(action, PathAction::Begin(_)),
+            Self::Copy
+            | Self::Cut
+            | Self::HandOver
+            | Self::Check
+            | Self::Curve
+            | Self::SpeedCurve
+            | Self::SwitchCameraView
+            | Self::Choose(_)
+            | Self::Time(_)
+            | Self::Node(_)
+            | Self::File(FileAction::Export) => true,
+            _ => false,
+        }
+    }
+
     /// Whether a menu, a key or a button names it, which clears the output field.
     pub(super) const fn is_command(&self) -> bool {
         match self {

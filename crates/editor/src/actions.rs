@@ -148,7 +148,11 @@ impl Editor {
                 // The movement window has been drawn already.
                 context.request_repaint();
             }
-            Action::Language(language) => self.choose_language(language),
+            Action::Language(language) => {
+                // What is said stands in the other language.
+                self.message = None;
+                self.choose_language(language);
+            }
             Action::CopySpeeds(speeds) => {
                 self.windows.copied_speeds = Some(speeds);
                 self.say(self.texts().speed_window.copied);

@@ -59,7 +59,8 @@ fn path(window: &Window) -> CameraPath {
 }
 
 fn is_able(window: &Window) -> bool {
-    let ok = window.get_all_by_label("OK").last().expect("a button");
+    let ok = window.state().texts().tools.ok;
+    let ok = window.get_all_by_label(ok).last().expect("a button");
     !ok.accesskit_node().is_disabled()
 }
 

@@ -280,7 +280,7 @@ fn what_is_imported_may_be_dropped() {
             click(&mut window, texts.questions.y_up);
         }
         if window.state().windows.tool.is_some() {
-            click(&mut window, "OK");
+            click_button(&mut window, |texts| texts.tools.ok);
         }
         let after = window.state().document.state_number();
         assert_ne!(after, before, "{}: {:?}", file.display(), said(&window));

@@ -58,13 +58,17 @@ fn show(editor: &mut Editor, ui: &mut Ui) {
     let palette = editor.setup.theme().palette();
     let whole = ui.max_rect();
     let (bar, below) = whole.split_top_bottom_at_y(whole.top() + BAR);
-    let (mut middle, mut right) = below.split_left_right_at_x(below.right() - PANELS);
-    let inside = UiBuilder::new().max_rect(below);
-    let top = ui.scope_builder(inside, |ui| {
-        playing::show(editor, ui);
-        ui.available_rect_before_wrap().bottom()
-    });
-    (middle.max.y, right.max.y) = (top.inner, top.inner);
+    let first = editor.is_first_screen();
+    let panels = if first { 0.0 } else { PANELS };
+    let (mut middle, mut right) = below.split_left_right_at_x(below.right() - panels);
+    if !first {
+        let inside = UiBuilder::new().max_rect(below);
+        let top = ui.scope_builder(inside, |ui| {
+            playing::show(editor, ui);
+            ui.available_rect_before_wrap().bottom()
+        });
+        (middle.max.y, right.max.y) = (top.inner, top.inner);
+    }
     let docked = windows::place(editor, &context, &mut middle, &mut right);
     // First what moves under the pointer: panels and output field then show it in this pass.
     part(ui, "space", middle, editor.background(), |ui| {
@@ -88,7 +92,7 @@ fn show(editor: &mut Editor, ui: &mut Ui) {
     part(ui, "panels", right, palette.panel, |ui| {
         let inside = UiBuilder::new().max_rect(right.shrink(MARGIN));
         ui.scope_builder(inside, |ui| {
-            if docked {
+            if docked || first {
                 // A window stands there.
             } else {
                 scene_view::beside(editor, ui);
@@ -101,7 +105,7 @@ fn show(editor: &mut Editor, ui: &mut Ui) {
     ui.painter()
         .vline(right.left() + 0.5, right.y_range(), line);
     windows::show(editor, &context);
-    windows::free_of_tooltips(&context);
+    windows::free_of_tooltips(&context, right);
     for (number, action) in actions.into_iter().chain(picked).enumerate() {
         // The first may have raised a question: the rest was typed blindly.
         if number > 0 && editor.windows.has_modal() {
@@ -124,13 +128,20 @@ fn show(editor: &mut Editor, ui: &mut Ui) {
 fn asked(editor: &mut Editor, context: &Context) -> Vec<Action> {
     let mut actions = Vec::from_iter(editor.waiting.take());
     if !editor.windows.has_modal() {
-        points_list::take_keys(editor, context);
-        scene_view::take_keys(editor, context);
-        playing::take_keys(editor, context);
+        if !editor.is_first_screen() {
+            points_list::take_keys(editor, context);
+            scene_view::take_keys(editor, context);
+            playing::take_keys(editor, context);
+        }
         windows::take_keys(editor, context);
         let scene = editor.document.edited_scene().is_some();
-        let mut pressed = keys::pressed(context, scene);
+        let menus = menu::letters(editor.language(), editor.fixed_speeds);
+        let menus = menus.map(|(letter, _)| letter);
+        let mut pressed = keys::pressed(context, scene, &menus);
         pressed.retain(|action| !windows::close_front(&mut editor.windows, action));
+        if editor.is_first_screen() {
+            pressed.retain(|action| !action.needs_path());
+        }
         actions.extend(pressed);
         let dropped: Vec<_> = context.input(|input| {
             let files = input.raw.dropped_files.iter();

@@ -69,6 +69,7 @@ pub(super) const SHORTCUTS: &[(Modifiers, Key, Action)] = &[
         Action::Path(PathAction::TakeOver { replace: true }),
     ),
     (ALT, Key::F, Action::Colours),
+    (ALT, Key::C, Action::Colours),
     (ALT, Key::Z, Action::Display),
     (ALT, Key::T, Action::File(FileAction::LoadSetup)),
     (ALT, Key::P, Action::File(FileAction::SaveSetup)),
@@ -106,8 +107,9 @@ const OF_TEXTS: &[Action] = &[
 ];
 
 /// Takes the actions whose keys were pressed out of the input, in their order. Without a `scene`
-/// its keys mean nothing; in an open menu they are its letters.
-pub(super) fn pressed(context: &Context, scene: bool) -> Vec<Action> {
+/// its keys mean nothing; in an open menu they are its letters. Those that open a `menu` are the
+/// menu's.
+pub(super) fn pressed(context: &Context, scene: bool, menus: &[Key]) -> Vec<Action> {
     let typing = context.text_edit_focused();
     let scene = scene && !egui::Popup::is_any_open(context);
     context.input_mut(|input| {
@@ -120,8 +122,10 @@ pub(super) fn pressed(context: &Context, scene: bool) -> Vec<Action> {
                     repeat,
                     modifiers,
                     ..
-                } => action_of(*modifiers, *key)
-                    .filter(|action| !repeat || REPEATED.contains(action)),
+                } if !(modifiers.matches_exact(ALT) && menus.contains(key)) => {
+                    action_of(*modifiers, *key)
+                        .filter(|action| !repeat || REPEATED.contains(action))
+                }
                 Event::Copy => Some(Action::Copy),
                 Event::Cut => Some(Action::Cut),
                 Event::Paste(text) if !typing => Some(Action::Pasted(text.clone())),
@@ -149,7 +153,12 @@ fn action_of(modifiers: Modifiers, key: Key) -> Option<Action> {
 }
 
 pub(super) fn words(language: Language, action: &Action) -> Option<String> {
-    let &(modifiers, key, _) = SHORTCUTS.iter().find(|shortcut| shortcut.2 == *action)?;
+    // Alt+F opens a menu of this language.
+    let is_free = |of: &&(Modifiers, Key, Action)| {
+        language == Language::German || (of.0, of.1) != (ALT, Key::F)
+    };
+    let mut known = SHORTCUTS.iter().filter(is_free);
+    let &(modifiers, key, _) = known.find(|shortcut| shortcut.2 == *action)?;
     Some(combination(language, modifiers, key))
 }
 

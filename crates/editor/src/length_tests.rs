@@ -184,7 +184,7 @@ fn scale_by_tool(window: &mut Window) {
     act(window, Action::Tool(tool));
     let factor = window.state().language().parameter("factor");
     enter(window, factor, "0.7");
-    click(window, "OK");
+    click_button(window, |texts| texts.tools.ok);
 }
 
 type Operation = (&'static str, fn(&mut Window), bool);

@@ -13,6 +13,8 @@ pub(crate) enum FileAction {
     New,
     /// Ask for a file and load a path from it.
     Load,
+    /// Begin with the example.
+    Example,
     /// Save under the known name, else ask for one.
     Save,
     SaveAs,

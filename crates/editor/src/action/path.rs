@@ -19,6 +19,8 @@ pub(crate) enum PathAction {
     AddPoints(usize),
     /// A key at the playhead.
     AddHere,
+    /// Begin the path of the first screen with two points there, and look along it.
+    Begin([DVec3; 2]),
     /// `Pos.-`.
     RemovePoint,
     /// `<< Pos.`

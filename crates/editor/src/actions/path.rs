@@ -46,6 +46,7 @@ impl Editor {
             PathAction::AddHere => {
                 self.add_here();
             }
+            PathAction::Begin(places) => self.begin_path(places),
             PathAction::RemovePoint if !self.document.edits_path() => {
                 self.do_to_nodes(NodeCommand::Remove);
             }
@@ -136,6 +137,26 @@ impl Editor {
         let _ = self.document.select(segment + 1, 0);
         if !within {
             self.document.end_step();
+        }
+    }
+
+    /// Puts the two points of a new path where they were clicked, as one step.
+    fn begin_path(&mut self, places: [DVec3; 2]) {
+        let mut edits = Vec::new();
+        for (at, place) in places.into_iter().enumerate() {
+            edits.push(Edit::set(At::Point(at), "position", place));
+            let point = Selection {
+                point: at,
+                orientation: 0,
+            };
+            let view = &self.document.path().points[at].orientations[0];
+            match self.with_own(point, view, |own| own.ahead = Some(0.0)) {
+                Ok(edit) => edits.push(edit),
+                Err(text) => return self.complain(text),
+            }
+        }
+        if self.edit_all(edits) {
+            self.select(1, 0);
         }
     }
 

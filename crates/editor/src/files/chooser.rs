@@ -4,6 +4,7 @@
 //! name has the focus, the up and down arrows go through the list, Enter takes, Alt and the up arrow
 //! go to the directory above.
 
+use std::cmp::Reverse;
 use std::path::{Path, PathBuf};
 
 use egui::{
@@ -15,9 +16,10 @@ use super::listing::{MAX_ENTRIES, fits, is_hidden};
 use super::naming::{described, filter_of, is_export, tidy, with_ending};
 use crate::action::{Action, FileAction};
 use crate::files::exchange::DEFAULT;
+use crate::files::recovery_window::date_in_words;
 use crate::files::{folders, picture, readable, short};
 use crate::state::Editor;
-use crate::state::files::{FileWindow, Folder, Picture, Purpose};
+use crate::state::files::{FileWindow, Folder, Item, Order, Picture, Purpose};
 use crate::texts::fill;
 use crate::texts::formats::title_of;
 use crate::texts::refusals::of_system;
@@ -69,6 +71,8 @@ impl FileWindow {
             name,
             chosen: None,
             filter: filter.to_owned(),
+            own_filter: filter.to_owned(),
+            order: editor.file_order,
             format: (purpose == Purpose::Export).then_some(DEFAULT),
             hidden: false,
             trouble: None,
@@ -183,11 +187,20 @@ impl FileWindow {
     /// The indices of the items that are shown.
     fn rows(&self) -> Vec<usize> {
         let items = self.folder.items.iter().enumerate();
-        items
+        let shown = items
             .filter(|(_, item)| self.hidden || !is_hidden(&item.name))
-            .filter(|(_, item)| item.is_folder || fits(&item.shown, &self.filter))
-            .map(|(index, _)| index)
-            .collect()
+            .filter(|(_, item)| item.is_folder || fits(&item.shown, &self.filter));
+        let mut rows: Vec<usize> = shown.map(|(index, _)| index).collect();
+        let item = |at: &usize| &self.folder.items[*at];
+        // Directories come first, and what is equal keeps the order of names.
+        match self.order {
+            Order::Name => {}
+            Order::Date => {
+                rows.sort_by_key(|at| (!item(at).is_folder, Reverse(item(at).written)));
+            }
+            Order::Size => rows.sort_by_key(|at| (!item(at).is_folder, Reverse(item(at).size))),
+        }
+        rows
     }
 
     fn current(&self) -> Option<usize> {
@@ -273,6 +286,19 @@ impl FileWindow {
                 done.go = home;
             }
         });
+        ui.horizontal(|ui| {
+            field(ui, texts.order);
+            for (order, name) in [
+                (Order::Name, texts.by_name),
+                (Order::Date, texts.by_date),
+                (Order::Size, texts.by_size),
+            ] {
+                if theme::choice(ui, self.order == order, name).clicked() {
+                    self.order = order;
+                    self.scroll = true;
+                }
+            }
+        });
         self.show_list_and_picture(editor, ui, done);
         ui.horizontal(|ui| {
             field(ui, texts.name);
@@ -295,8 +321,7 @@ impl FileWindow {
             let layout = Layout::right_to_left(Align::Center);
             ui.with_layout(layout, |ui| {
                 theme::tick(ui, &mut self.hidden, texts.hidden).on_hover_text(texts.hidden_hint);
-                let (width, words) = (ui.available_width(), (texts.filter, texts.filter_hint));
-                theme::line_edit(ui, &mut self.filter, "files.filter", width, words);
+                self.show_filter(editor, ui);
             });
         });
         if self.purpose == Purpose::Export {
@@ -319,6 +344,46 @@ impl FileWindow {
         let [cancel, taken] = buttons(ui, [texts.cancel, take]);
         done.cancel |= cancel.on_hover_text(texts.cancel_hint).clicked();
         done.take |= taken.on_hover_text(texts.take_hint).clicked();
+    }
+
+    /// Which files are shown, by name; patterns of one's own can be typed.
+    fn show_filter(&mut self, editor: &Editor, ui: &mut Ui) {
+        let texts = &editor.texts().files;
+        let own = match self.purpose {
+            Purpose::LoadPath => texts.kind_opened,
+            Purpose::SavePath(_) | Purpose::LoadBlock | Purpose::SaveBlock => texts.kind_paths,
+            Purpose::Import | Purpose::Export => texts.kind_formats,
+            Purpose::LoadSetup | Purpose::SaveSetup => texts.kind_setups,
+            _ => texts.kind_objects,
+        };
+        let words = match self.filter.as_str() {
+            filter if filter == self.own_filter => own,
+            "" => texts.all_files,
+            other => other,
+        };
+        let size = vec2(ui.available_width(), theme::ROW);
+        let open = ui.add(Button::new(words).truncate().min_size(size));
+        open.widget_info(|| egui::WidgetInfo {
+            current_text_value: Some(words.to_owned()),
+            ..egui::WidgetInfo::labeled(egui::Role::ComboBox, true, texts.filter)
+        });
+        let stays = egui::PopupCloseBehavior::CloseOnClickOutside;
+        let menu = egui::Popup::menu(&open).close_behavior(stays);
+        menu.show(|ui| {
+            for (name, filter) in [
+                (own, self.own_filter.clone()),
+                (texts.all_files, String::new()),
+            ] {
+                let chosen = self.filter == filter;
+                if ui.add(Button::selectable(chosen, name)).clicked() {
+                    self.filter = filter;
+                    ui.close();
+                }
+            }
+            let words = (texts.patterns, texts.filter_hint);
+            theme::line_edit(ui, &mut self.filter, "files.filter", 280.0, words);
+        });
+        open.on_hover_text(texts.filter_hint);
     }
 
     /// The name of the chosen format.
@@ -420,7 +485,7 @@ impl FileWindow {
         } else {
             0.0
         };
-        let room = ui.ctx().content_rect().height() - 320.0 - formats;
+        let room = ui.ctx().content_rect().height() - 348.0 - formats;
         let height = (ROWS * theme::ROW).min(room).max(4.0 * theme::ROW);
         let current = self.current();
         let frame = egui::Frame::new()
@@ -441,7 +506,7 @@ impl FileWindow {
             }
             let shown = area.show_rows(ui, theme::ROW, rows.len(), |ui, range| {
                 for &index in rows.get(range).unwrap_or_default() {
-                    self.show_row(ui, index, current == Some(index), done);
+                    self.show_row(editor, ui, (index, current == Some(index)), done);
                 }
             });
             ui.ctx()
@@ -463,7 +528,13 @@ impl FileWindow {
         }
     }
 
-    fn show_row(&mut self, ui: &mut Ui, index: usize, chosen: bool, done: &mut Done) {
+    fn show_row(
+        &mut self,
+        editor: &Editor,
+        ui: &mut Ui,
+        (index, chosen): (usize, bool),
+        done: &mut Done,
+    ) {
         let Some(item) = self.folder.items.get(index) else {
             return;
         };
@@ -474,6 +545,7 @@ impl FileWindow {
             (false, false) => palette.text,
         };
         let slash = if item.is_folder { "/" } else { "" };
+        let facts = facts(editor, item);
         let text = RichText::new(format!("{}{slash}", item.shown)).color(color);
         let mut button = Button::new(text)
             .truncate()
@@ -488,6 +560,25 @@ impl FileWindow {
                 ui.add(button)
             })
             .inner;
+        let weak = if chosen {
+            palette.on_accent
+        } else {
+            palette.weak
+        };
+        let right = response.rect.right_center() - vec2(8.0, 0.0);
+        let words = ui.painter().layout_no_wrap(facts, theme::small(), weak);
+        // Not over a long name.
+        if words.size().x < 0.5 * response.rect.width() {
+            let place = egui::Align2::RIGHT_CENTER.anchor_size(right, words.size());
+            let ground = if chosen {
+                palette.accent
+            } else {
+                palette.field
+            };
+            ui.painter()
+                .rect_filled(place.expand2(vec2(6.0, 2.0)), 0.0, ground);
+            ui.painter().galley(place.min, words, weak);
+        }
         // The third click in a row, too, where the first one opened this window.
         if response.double_clicked() || response.triple_clicked() {
             if is_folder {
@@ -564,6 +655,25 @@ impl FileWindow {
         }
         Some(path)
     }
+}
+
+/// When a file was written, and how long it is.
+fn facts(editor: &Editor, item: &Item) -> String {
+    let date = item.written.and_then(editor.program.local_time);
+    let date = date.map_or_else(String::new, |date| date_in_words(editor.language(), date));
+    if item.is_folder {
+        return date;
+    }
+    let (mut size, mut units) = (
+        item.size as f64,
+        ["B", "kB", "MB", "GB"].into_iter().peekable(),
+    );
+    while size >= 1000.0 && units.len() > 1 {
+        (size, _) = (size / 1000.0, units.next());
+    }
+    let decimals = usize::from(size < 10.0 && units.len() < 4);
+    let size = editor.language().number(size, decimals);
+    format!("{date}   {size} {}", units.peek().unwrap_or(&"GB"))
 }
 
 fn entered(ui: &Ui, response: &egui::Response) -> bool {

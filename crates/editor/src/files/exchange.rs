@@ -121,6 +121,11 @@ impl Editor {
                 let done = self.document.apply_all(edits);
                 done.map_err(|error| self.refusal(self.texts().errors.cannot_load, file, &error))?;
                 self.show_anew();
+                // Saving does not put another program's scene over the file that was open. A host's
+                // file is the host's.
+                if self.program.offers_all {
+                    (self.file, self.known) = (None, None);
+                }
             }
         }
         self.tell_loaded(file, &report);
@@ -163,6 +168,10 @@ impl Editor {
     /// That a file was taken over, and what of it was not.
     fn tell_loaded(&mut self, file: &Path, report: &Report) {
         let mut text = fill(self.texts().output.loaded, &[&short(file)]);
+        let fps = self.document.info().fps;
+        let decimals = if fps.fract() == 0.0 { 0 } else { 3 };
+        let rate = self.language().number(fps, decimals);
+        text += &format!(" · {}", fill(self.texts().output.at_rate, &[&rate]));
         for loss in losses_of(self.language(), report) {
             text += &format!(" · {loss}");
         }

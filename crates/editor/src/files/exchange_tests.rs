@@ -108,7 +108,7 @@ fn poses_are_fitted_and_the_unknown_is_refused() {
             .expect("written");
         window.state_mut().file_chosen(Purpose::Import, &file);
         window.run();
-        click(&mut window, "OK");
+        click_button(&mut window, |texts| texts.tools.ok);
         let [back, _] = window.state().document.step_names();
         assert!(back.is_some() && modified(&window));
         let unknown = folder.path().join("a.bin");
@@ -160,7 +160,7 @@ fn keyframes_become_points() {
             Language::German => "Schlüssel bleiben weg, angenähert werden die Bilder: 5",
         };
         assert!(said.contains(told), "{said}");
-        click(&mut window, "OK");
+        click_button(&mut window, |texts| texts.tools.ok);
         assert!(window.state().document.path().points != converted.path().points);
     }
 }
@@ -204,7 +204,7 @@ fn the_upright_axis_of_poses_is_asked_for_where_the_file_does_not_say() {
                 screenshot(&mut window, &format!("import-upright-{language:?}.png"));
                 click(&mut window, texts.z_up);
             }
-            click(&mut window, "OK");
+            click_button(&mut window, |texts| texts.tools.ok);
             let state = window.state();
             assert_eq!(state.document.path().space.up, Up::Z, "{format}");
             for (now, then) in poses(state).iter().zip(&recorded) {
@@ -224,4 +224,25 @@ fn times_of_recordings_are_written_out() {
         losses_of(Language::German, &report),
         ["die Zeiten beginnen bei 1305031102,5 s: hier zählen sie ab 0"]
     );
+}
+
+/// A scene that is taken over does not go into the file that was open; its rate is told.
+#[test]
+fn an_imported_scene_is_a_document_without_a_file() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("scene.gltf");
+    for own in [true, false] {
+        let mut options = options(Language::English);
+        options.program.offers_all = own;
+        options.document = some_points();
+        options.file = Some(folder.path().join("flight.vid"));
+        let mut window = window_of(options, LARGE, 1.0, Theme::Dark);
+        let editor = window.state_mut();
+        editor.write_as(&file, "gltf").expect("written");
+        editor.import(&file, None).expect("read");
+        assert_eq!(editor.file.is_none(), own);
+        window.run();
+        let said = said(&window).expect("a sentence");
+        assert!(said.contains("25 frames a second"), "{said}");
+    }
 }

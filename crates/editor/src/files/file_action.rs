@@ -11,6 +11,7 @@ impl Editor {
         match action {
             FileAction::New => self.ask_before(AfterSave::New),
             FileAction::Load => self.ask_before(AfterSave::Load),
+            FileAction::Example => self.ask_before(AfterSave::Example),
             FileAction::Save => {
                 self.save(None);
             }

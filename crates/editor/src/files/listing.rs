@@ -65,9 +65,12 @@ impl Folder {
                     }
                     Some(Ok(entry)) => {
                         let name = entry.file_name();
+                        let about = entry.metadata().ok();
                         self.items.push(Item {
                             shown: readable(&name),
                             is_folder: is_folder(&entry),
+                            written: about.as_ref().and_then(|about| about.modified().ok()),
+                            size: about.map_or(0, |about| about.len()),
                             name,
                         });
                     }

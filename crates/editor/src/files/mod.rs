@@ -69,6 +69,7 @@ impl Editor {
             AfterSave::Close => self.requests.push(Request::Close),
             AfterSave::New => self.begin_anew(),
             AfterSave::Load => self.choose_file(Purpose::LoadPath),
+            AfterSave::Example => self.show_example(),
             AfterSave::Recent(number) => {
                 if let Some(file) = self.recent.get(number).cloned()
                     && let Err(text) = self.load_path(&file)
@@ -146,6 +147,9 @@ impl Editor {
     /// A file was chosen: the window that asked closes, or shows why it was refused.
     pub(crate) fn file_chosen(&mut self, purpose: Purpose, file: &Path) {
         let window = self.windows.files.take();
+        if let Some(window) = &window {
+            self.file_order = window.order;
+        }
         let done = match purpose {
             Purpose::LoadPath => self.load_path(file),
             Purpose::SavePath(then) => self.save_path(file).map(|()| {
@@ -198,6 +202,7 @@ impl Editor {
         let known = document.fingerprint();
         self.take_up(document, is_path.then_some(file), known);
         self.note_file(file);
+        self.space.opened = !self.fixed_speeds;
         self.say(fill(texts.output.loaded, &[&short(file)]));
         let mut meshes = Warnings::default();
         meshes.add_meshes(warnings);
@@ -218,6 +223,15 @@ impl Editor {
     /// An empty path in place of the open one, with what is the host's.
     fn begin_anew(&mut self) {
         match self.of_host(Document::new()) {
+            Ok(document) => self.take_up(document, None, None),
+            Err(error) => self.complain_of(&error),
+        }
+    }
+
+    /// The example in place of the open path; it has no file, so it is not overwritten.
+    fn show_example(&mut self) {
+        let example = Document::from_toml(include_str!("../../texts/example.vid"));
+        match example.and_then(|document| self.of_host(document)) {
             Ok(document) => self.take_up(document, None, None),
             Err(error) => self.complain_of(&error),
         }

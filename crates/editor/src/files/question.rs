@@ -97,9 +97,10 @@ impl Question {
                 let text = match then {
                     AfterSave::Close => texts.before_close,
                     AfterSave::New => texts.before_new,
-                    AfterSave::Load | AfterSave::Recent(_) | AfterSave::Dropped => {
-                        texts.before_load
-                    }
+                    AfterSave::Load
+                    | AfterSave::Example
+                    | AfterSave::Recent(_)
+                    | AfterSave::Dropped => texts.before_load,
                     AfterSave::Restore(_) => texts.before_restore,
                 };
                 let name = name.unwrap_or_else(|| texts.this_path.to_owned());
@@ -111,11 +112,11 @@ impl Question {
                     place: ("question", texts.unsaved, 380.0, 96.0),
                     text: fill(text, &[&name]),
                     answers: vec![
-                        (texts.save, texts.save_hint, Some(save)),
-                        (texts.discard, texts.discard_hint, Some(discard)),
                         cancel,
+                        (texts.discard, texts.discard_hint, Some(discard)),
+                        (texts.save, texts.save_hint, Some(save)),
                     ],
-                    safe: 0,
+                    safe: 2,
                 }
             }
             About::Newer => {
@@ -128,8 +129,8 @@ impl Question {
                 Parts {
                     place: ("changed", texts.changed, 420.0, 112.0),
                     text: fill(text, &[&name?]),
-                    answers: vec![reload, (texts.keep, texts.keep_hint, None)],
-                    safe: usize::from(modified),
+                    answers: vec![(texts.keep, texts.keep_hint, None), reload],
+                    safe: usize::from(!modified),
                 }
             }
             &About::Changed(then) => {
@@ -141,12 +142,12 @@ impl Question {
                     place: ("changed", texts.changed, 480.0, 112.0),
                     text: fill(texts.changed_since, &[&name?]),
                     answers: vec![
-                        reload,
-                        (texts.save_as, texts.save_as_hint, Some(save_as)),
-                        (files.overwrite, files.overwrite_hint, Some(overwrite)),
                         cancel,
+                        reload,
+                        (files.overwrite, files.overwrite_hint, Some(overwrite)),
+                        (texts.save_as, texts.save_as_hint, Some(save_as)),
                     ],
-                    safe: 1,
+                    safe: 3,
                 }
             }
             About::Upright(file) => {
@@ -158,11 +159,11 @@ impl Question {
                     place: ("upright", texts.upright, 420.0, 112.0),
                     text: fill(texts.which_upright, &[&short(file)]),
                     answers: vec![
+                        cancel,
                         axis(Up::Y, (texts.y_up, texts.y_up_hint)),
                         axis(Up::Z, (texts.z_up, texts.z_up_hint)),
-                        cancel,
                     ],
-                    safe: usize::from(editor.document.path().space.up == Up::Z),
+                    safe: 1 + usize::from(editor.document.path().space.up == Up::Z),
                 }
             }
             About::Outside(named) => outside(editor, named, &name?),
@@ -175,8 +176,8 @@ impl Question {
                 Parts {
                     place: ("losses", texts.losses, 480.0, 112.0),
                     text,
-                    answers: vec![(files.write, texts.write_hint, Some(write)), cancel],
-                    safe: 0,
+                    answers: vec![cancel, (files.write, texts.write_hint, Some(write))],
+                    safe: 1,
                 }
             }
         })
@@ -223,9 +224,9 @@ fn outside(editor: &Editor, named: &[String], name: &str) -> Parts {
         place: ("outside", texts.outside, 480.0, 112.0),
         text,
         answers: vec![
-            (texts.read_outside, texts.read_outside_hint, Some(read)),
             (texts.leave_outside, texts.leave_outside_hint, None),
+            (texts.read_outside, texts.read_outside_hint, Some(read)),
         ],
-        safe: 1,
+        safe: 0,
     }
 }

@@ -176,7 +176,7 @@ fn describe(editor: &Editor, ui: &mut Ui, found: &Found) {
     }
 }
 
-fn date_in_words(language: Language, date: Date) -> String {
+pub(super) fn date_in_words(language: Language, date: Date) -> String {
     let two = |number: i32| format!("{number:02}");
     let text = language.texts().recovery.date;
     let (month, day) = (two(date.month), two(date.day));

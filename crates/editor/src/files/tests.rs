@@ -8,6 +8,7 @@ use std::path::Path;
 use vides_document::{At, Object, ObjectPoint};
 
 use crate::host::warning::{Warning, Warnings};
+use crate::screenshots::screenshot;
 use crate::tests::*;
 
 /// A window whose file windows begin in this folder.
@@ -144,12 +145,39 @@ fn the_filter_decides_what_is_seen() {
     assert!(!sees(&window, "b.txt") && !sees(&window, ".hidden.vid"));
     click(&mut window, texts.hidden);
     assert!(sees(&window, ".hidden.vid"));
-    window.get_by_label(texts.filter).click();
+    click(&mut window, texts.filter);
+    window.get_by_label(texts.patterns).click();
     window.run();
     press(&mut window, Modifiers::COMMAND, Key::A);
-    window.get_by_label(texts.filter).type_text("*.txt");
+    window.get_by_label(texts.patterns).type_text("*.txt");
     window.run();
     assert!(sees(&window, "b.txt") && !sees(&window, "a.vid"));
+}
+
+/// By name, or the newest or the largest first; directories come before files.
+#[test]
+fn files_are_listed_by_name_date_or_size() {
+    let texts = &Language::English.texts().files;
+    let folder = tempfile::tempdir().expect("a folder");
+    for (name, size, days) in [("a.vid", 20, 1), ("b.vid", 3000, 2), ("c.vid", 100, 3)] {
+        let file = std::fs::File::create(folder.path().join(name)).expect("a file");
+        file.set_len(size).expect("its length");
+        let date = std::time::UNIX_EPOCH + std::time::Duration::from_secs(days * 86_400);
+        file.set_modified(date).expect("its date");
+    }
+    std::fs::create_dir(folder.path().join("z")).expect("a folder");
+    let mut window = window_in(Language::English, folder.path());
+    press(&mut window, Modifiers::ALT, Key::L);
+    for (order, expected) in [
+        (texts.by_name, ["z/", "a.vid", "b.vid", "c.vid"]),
+        (texts.by_date, ["z/", "c.vid", "b.vid", "a.vid"]),
+        (texts.by_size, ["z/", "b.vid", "c.vid", "a.vid"]),
+    ] {
+        click(&mut window, order);
+        let top = |name: &&str| window.get_by_label(name).rect().top();
+        assert!(expected.iter().map(top).is_sorted(), "{order}");
+    }
+    screenshot(&mut window, "files-sorted.png");
 }
 
 #[test]

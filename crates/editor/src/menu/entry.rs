@@ -20,6 +20,8 @@ pub(super) struct Entry {
     pub(super) on: Option<bool>,
     /// A line stands above it.
     pub(super) apart: bool,
+    /// Of it and those below, above it.
+    pub(super) heading: &'static str,
     /// It begins another column.
     pub(super) beside: bool,
 }
@@ -35,6 +37,7 @@ impl Entry {
             enabled: true,
             on: None,
             apart: false,
+            heading: "",
             beside: false,
         }
     }
@@ -55,11 +58,6 @@ impl Entry {
 
     pub(super) const fn on(mut self, on: bool) -> Self {
         self.on = Some(on);
-        self
-    }
-
-    pub(super) const fn beside(mut self) -> Self {
-        self.beside = true;
         self
     }
 

@@ -13,12 +13,16 @@ use crate::theme;
 /// The letters that open the menus in German.
 pub(super) const GERMAN: [Key; 6] = [Key::D, Key::B, Key::A, Key::W, Key::E, Key::H];
 
-/// The letters that open the menus with Alt, and the titles.
-pub(crate) fn letters(language: Language) -> [(Key, &'static str); 6] {
+/// The letters that open the menus with Alt, and the titles. In windows of hosts of 1994, Alt+F is
+/// not free: it opens the colours, as their manual says.
+pub(crate) fn letters(language: Language, of_1994: bool) -> [(Key, &'static str); 6] {
     let (menu, tools) = (&language.texts().menu, &language.texts().tools);
     let letters = match language {
         Language::German => GERMAN,
-        Language::English => [Key::I, Key::E, Key::X, Key::O, Key::G, Key::H],
+        Language::English => {
+            let file = if of_1994 { Key::I } else { Key::F };
+            [file, Key::E, Key::X, Key::O, Key::G, Key::H]
+        }
     };
     let titles = [
         menu.file,

@@ -32,6 +32,8 @@ pub(super) use letters::letters;
 const MARK: f32 = 28.0;
 /// Room for a line between entries.
 const LINE: f32 = 9.0;
+/// Height of a group's heading.
+const HEADING: f32 = 22.0;
 /// Beside a menu's title.
 const TITLE_MARGIN: f32 = 6.0;
 /// The same in a narrow window.
@@ -42,10 +44,20 @@ const APART: f32 = 32.0;
 fn menus(editor: &Editor) -> [Menu; 6] {
     let entries = [file, edit, output, tools, settings, help];
     let mut entries = entries.into_iter().map(|entries| entries(editor));
-    letters(editor.language()).map(|(letter, title)| Menu {
-        title,
-        letter,
-        entries: lettered(entries.next().unwrap_or_default()),
+    let none = editor
+        .is_first_screen()
+        .then_some(editor.texts().space.no_path);
+    let possible = |entry: Entry| match none.filter(|_| entry.action.needs_path()) {
+        Some(why_not) => entry.only_if(false, why_not),
+        None => entry,
+    };
+    letters(editor.language(), editor.fixed_speeds).map(|(letter, title)| {
+        let entries = entries.next().unwrap_or_default().into_iter();
+        Menu {
+            title,
+            letter,
+            entries: lettered(entries.map(possible).collect()),
+        }
     })
 }
 
@@ -240,34 +252,45 @@ fn output(editor: &Editor) -> Vec<Entry> {
     ]
 }
 
-/// The tools, with the moves in a separate column.
+/// The tools in four groups and two columns, each in the order of the table.
 fn tools(editor: &Editor) -> Vec<Entry> {
     let (language, texts) = (editor.language(), &editor.texts().tools);
-    let mut beside = false;
-    let entries = tool::tools().map(|tool| {
+    let group_of = |tool: &tool::Tool| match tool.name {
+        _ if tool.is_move() || tool.needs() == Needs::Stroke => 0,
+        "steady" | "avoid" | "picture" | "tour" | "fit" => 1,
+        "reverse" | "repeat" | "frames" | "retime" => 3,
+        _ => 2,
+    };
+    let entry = |tool: tool::Tool| {
         let more = if tool.needs() == Needs::Nothing && !tool.has_numbers() {
             ""
         } else {
             " …"
         };
-        let entry = Entry {
+        Entry {
             text: format!("{}{more}", language.tool(tool.name)).into(),
             ..Entry::new("", language.tool_hint(&tool), ToolAction::Open(tool))
-        };
-        let makes = tool.is_move() || tool.needs() == Needs::Stroke;
-        let first = !makes && !std::mem::replace(&mut beside, !makes);
-        let entry = if first { entry.beside() } else { entry };
-        let entry = match tool.name {
-            "taper" | "insert" | "reverse" | "fit" => entry.apart(),
-            _ => entry,
-        };
-        entry.only_if(editor.document.edits_path(), texts.only_path)
-    });
-    let check = &editor.texts().check;
-    let check = Entry::new(check.menu, check.menu_hint, Action::Check)
-        .apart()
-        .only_if(editor.document.edits_path(), texts.only_path);
-    entries.chain([check]).collect()
+        }
+    };
+    let headings = [texts.moves, texts.planning, texts.shape, texts.timing];
+    let mut entries = Vec::new();
+    for (group, heading) in headings.into_iter().enumerate() {
+        let first = entries.len();
+        let of_group = tool::tools().filter(|tool| group_of(tool) == group);
+        entries.extend(of_group.map(entry));
+        if group == 1 {
+            let check = &editor.texts().check;
+            entries.push(Entry::new(check.menu, check.menu_hint, Action::Check));
+        }
+        if let Some(entry) = entries.get_mut(first) {
+            (entry.heading, entry.beside) = (heading, group == 2);
+        }
+    }
+    let possible = editor.document.edits_path();
+    let entries = entries.into_iter();
+    entries
+        .map(|entry| entry.only_if(possible, texts.only_path))
+        .collect()
 }
 
 fn settings(editor: &Editor) -> Vec<Entry> {
@@ -280,7 +303,10 @@ fn settings(editor: &Editor) -> Vec<Entry> {
         Entry::new(text, hint, Action::Theme(theme)).on(editor.setup.theme == theme)
     };
     vec![
-        Entry::new(texts.colours, hints.colours, Action::Colours).letter(Key::F),
+        Entry::new(texts.colours, hints.colours, Action::Colours).letter(match editor.language() {
+            Language::German => Key::F,
+            Language::English => Key::C,
+        }),
         Entry::new(texts.display, hints.display, Action::Display).letter(Key::Z),
         Entry::new(
             editor.texts().space.sliders,
@@ -401,6 +427,20 @@ fn show_entries(editor: &Editor, ui: &mut Ui, menu: &Menu, bar: &mut Bar) -> Opt
     let size = vec2((all + 8.0).ceil(), row);
     let mut column = |ui: &mut Ui, picked: &mut Option<Action>, entries: &[Entry]| {
         for entry in entries {
+            if !entry.heading.is_empty() {
+                let size = vec2(size.x, HEADING);
+                let (place, _) = ui.allocate_exact_size(size, Sense::hover());
+                let at = pos2(place.left() + 8.0, place.bottom() - 4.0);
+                let colour = theme::palette(ui).weak;
+                let words = ui.painter();
+                words.text(
+                    at,
+                    Align2::LEFT_BOTTOM,
+                    entry.heading,
+                    theme::small(),
+                    colour,
+                );
+            }
             if entry.apart {
                 let (line, _) = ui.allocate_exact_size(vec2(size.x, LINE), Sense::hover());
                 let stroke = Stroke::new(1.0, theme::palette(ui).line);
@@ -438,8 +478,10 @@ fn show_entries(editor: &Editor, ui: &mut Ui, menu: &Menu, bar: &mut Bar) -> Opt
 /// How high a row may be for a column of entries to fit into the window.
 fn row_height(ui: &Ui, entries: &[Entry]) -> f32 {
     let lines = entries.iter().filter(|entry| entry.apart).count() as f32;
+    let headed = |entry: &&Entry| !entry.heading.is_empty();
+    let headings = entries.iter().filter(headed).count() as f32;
     let frame = ui.spacing().menu_margin.sum().y + 2.0;
-    let room = below_bar(ui.ctx()).height() - frame - LINE * lines;
+    let room = below_bar(ui.ctx()).height() - frame - LINE * lines - HEADING * headings;
     (room / entries.len() as f32).floor().max(theme::ROW / 2.0)
 }
 

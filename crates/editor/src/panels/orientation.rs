@@ -7,7 +7,7 @@ use vides_document::{Edit, Selection};
 use vides_engine::math::rotation_minimising::turned;
 use vides_engine::path::{CameraPath, OrientationOverrides, Target, Up, UpVector, ahead};
 
-use super::position::{add_here, three_numbers};
+use super::position::three_numbers;
 use crate::action::{Action, OwnedMotion, PathAction};
 use crate::number::Number;
 use crate::panels::parts::{Heading, PanelButton, button_row, share};
@@ -41,11 +41,11 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
         text: texts.heading,
         remark: &format!("{number} · {how}"),
     };
-    if !heading.show(ui, actions).0 {
+    let words = &editor.texts().position;
+    let here = (shown.missing == Missing::Orientation)
+        .then_some([words.add_orientation_here, words.new_orientation]);
+    if !heading.or_new(ui, here, actions) {
         return;
-    }
-    if shown.missing == Missing::Orientation {
-        add_here(editor, ui, &shown, actions);
     }
     button_row(
         editor,

@@ -40,6 +40,7 @@ pub(crate) fn show(editor: &Editor, ui: &mut Ui) -> Option<Action> {
             };
             show_message(ui, response, &message.text, color);
         }
+        None if editor.is_first_screen() => {}
         None => show_setting(editor, ui, response),
     }
     undone

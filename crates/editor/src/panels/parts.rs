@@ -2,9 +2,10 @@
 
 use egui::{Button, Color32, Response, RichText, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2};
 
-use crate::action::Action;
+use crate::action::{Action, PathAction};
 use crate::setup::Fold;
 use crate::state::Editor;
+use crate::texts::fill;
 use crate::{keys, theme};
 
 /// Width of the panels, which two, three or four columns with gaps fill exactly.
@@ -100,6 +101,51 @@ impl Heading<'_> {
             false => response.on_hover_text(self.remark),
         };
         (open, response)
+    }
+
+    /// Between keys, with the time at which typing makes one in place of the remark, to be clicked
+    /// for that: its name and its words. Nothing else moves. Whether the panel is open.
+    pub(crate) fn or_new(
+        &self,
+        ui: &mut Ui,
+        here: Option<[&str; 2]>,
+        actions: &mut Vec<Action>,
+    ) -> bool {
+        let Some([name, words]) = here else {
+            return self.show(ui, actions).0;
+        };
+        let editor = self.editor;
+        let frame = editor.playing.frame().unwrap_or(1.0);
+        let seconds = (frame - 1.0) / editor.document.info().fps;
+        let words = fill(words, &[&editor.language().number(seconds, 2)]);
+        let heading = Heading {
+            remark: "",
+            ..*self
+        };
+        let (open, row) = heading.show(ui, actions);
+        let palette = theme::palette(ui);
+        let ink = |colour| {
+            let font = theme::text();
+            ui.painter().layout_no_wrap(words.clone(), font, colour)
+        };
+        let size = vec2(ink(palette.accent).size().x, theme::ROW);
+        let place = egui::Align2::RIGHT_CENTER.anchor_size(row.rect.right_center(), size);
+        let response = ui.interact(place, ui.scope_id().with(name), Sense::click());
+        response.widget_info(|| WidgetInfo {
+            current_text_value: Some(words.clone()),
+            ..WidgetInfo::labeled(egui::Role::Button, true, name)
+        });
+        let lively = response.hovered() || response.has_focus();
+        let galley = ink(if lively { palette.text } else { palette.accent });
+        let at = egui::Align2::RIGHT_CENTER.anchor_size(place.right_center(), galley.size());
+        ui.painter().galley(at.min, galley, palette.accent);
+        let hint = editor.texts().position.add_here_hint;
+        let add = Action::Path(PathAction::AddHere);
+        let keys = keys::words(editor.language(), &add).unwrap_or_default();
+        if response.on_hover_text(format!("{hint} ({keys})")).clicked() {
+            actions.push(add);
+        }
+        open
     }
 
     /// With the remark as what is chosen, to be clicked for a menu called `name`; whether the panel is
@@ -198,21 +244,6 @@ pub(crate) fn button_row(
             button.show(editor, ui, width, actions);
         }
     });
-}
-
-/// A text centred in `width`.
-pub(crate) fn words(ui: &mut Ui, text: &str, width: f32, color: Color32) -> Response {
-    let (rect, response) = ui.allocate_exact_size(vec2(width, theme::ROW), Sense::hover());
-    let center = rect.center();
-    ui.painter().text(
-        center,
-        egui::Align2::CENTER_CENTER,
-        text,
-        theme::text(),
-        color,
-    );
-    response.widget_info(|| WidgetInfo::labeled(egui::Role::Label, true, text));
-    response
 }
 
 /// Width of one of `count` things that fill a row.

@@ -6,7 +6,7 @@ use vides_document::{At, Edit};
 
 use crate::action::{Action, PathAction};
 use crate::number::Number;
-use crate::panels::parts::{Heading, PanelButton, apart, button_row, share, words};
+use crate::panels::parts::{Heading, PanelButton, apart, button_row, share};
 use crate::playing::playhead::Shown;
 use crate::setup::Fold;
 use crate::state::Editor;
@@ -25,27 +25,12 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
         text: texts.heading,
         remark: &Editor::number_of(texts.count, shown.at.point, count),
     };
-    if !heading.show(ui, actions).0 {
-        return;
+    let here = shown
+        .has_no_point()
+        .then_some([texts.add_here, texts.new_point]);
+    if heading.or_new(ui, here, actions) {
+        coordinates(editor, ui, &shown, actions);
     }
-    coordinates(editor, ui, &shown, actions);
-    if shown.has_no_point() {
-        add_here(editor, ui, &shown, actions);
-    }
-}
-
-/// Between keys: makes one of what is shown.
-pub(super) fn add_here(editor: &Editor, ui: &mut Ui, shown: &Shown, actions: &mut Vec<Action>) {
-    let texts = &editor.texts().position;
-    let text = if shown.has_no_point() {
-        texts.add_here
-    } else {
-        texts.add_orientation_here
-    };
-    let button = PanelButton::new(text, texts.add_here_hint, Action::Path(PathAction::AddHere));
-    button_row(editor, ui, &[button], actions);
-    let width = ui.available_width();
-    words(ui, texts.in_between, width, theme::palette(ui).weak);
 }
 
 /// Where the path has not begun or is over: why no point can be added.

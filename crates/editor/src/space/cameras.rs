@@ -22,6 +22,9 @@ const CAMERA: [f64; 2] = [26.0, 0.16];
 /// Cameras nearer than this to the last one are left out, in points.
 const APART: f64 = 14.0;
 
+/// How much of their colour those of other points have.
+const FADED: f32 = 0.45;
+
 /// Width by height of the picture of a drawn camera.
 const ASPECT: f64 = 1.5;
 
@@ -131,7 +134,7 @@ impl KeyCameras {
         let seen = Some(look.key());
         if self.now != self.cameras || self.seen != seen {
             let mut strokes = Strokes::in_space(look);
-            let color = look.colours.of(Element::Cameras).gamma_multiply(0.8);
+            let color = look.colours.of(Element::Cameras).gamma_multiply(FADED);
             for seen in &self.now {
                 camera(&mut strokes, look, seen, CAMERA[0], THIN, color);
             }

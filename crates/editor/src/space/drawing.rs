@@ -24,9 +24,15 @@ pub(super) fn is_wanted(editor: &Editor) -> bool {
 
 /// The place drawn at `pos`: at the depth of the current point, within the space.
 fn place(editor: &Editor, surface: &PointerContext<'_>, pos: Pos2) -> DVec3 {
-    let projection = projection_of(editor, surface.viewport);
+    place_in(editor, surface.viewport, pos)
+}
+
+/// The same; where there is no path yet, at the depth of the space's centre.
+pub(super) fn place_in(editor: &Editor, viewport: Rect, pos: Pos2) -> DVec3 {
+    let projection = projection_of(editor, viewport);
     let space = projection.space();
-    let point = editor.point().map_or(space.centre, |point| point.position);
+    let point = editor.point().filter(|_| !editor.is_first_screen());
+    let point = point.map_or(space.centre, |point| point.position);
     let place = projection.point_facing(point, from_pos(pos));
     place.clamp(space.low(), space.high())
 }

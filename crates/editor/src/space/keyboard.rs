@@ -33,7 +33,7 @@ pub(super) const NUDGES: [Key; 8] = [
 ];
 
 /// The letters that mean something here; only text fields use them otherwise.
-pub(super) const LETTERS: [Key; 10] = [
+pub(super) const LETTERS: [Key; 11] = [
     Key::M,
     Key::P,
     Key::R,
@@ -44,6 +44,7 @@ pub(super) const LETTERS: [Key; 10] = [
     Key::B,
     Key::G,
     Key::L,
+    Key::F,
 ];
 
 /// Handles a key that was pressed while the movement window has the focus.
@@ -108,6 +109,10 @@ pub(super) fn press(
                 Key::Plus | Key::Equals => resized(WHEEL),
                 Key::Minus => resized(1.0 / WHEEL),
                 Key::Num0 | Key::Home => Action::View(View::default()),
+                Key::F => match super::framing(editor, viewport, modifiers.shift) {
+                    Some(view) => Action::View(view),
+                    None => return,
+                },
                 Key::Space => Action::Time(TimeAction::PlayOrPause),
                 Key::L => Action::Time(TimeAction::SwitchLoops),
                 Key::C if modifiers.shift => Action::CameraPlace(CameraPlace::Whole),

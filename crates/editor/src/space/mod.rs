@@ -5,6 +5,7 @@
 //! [`mod@pointer`] and [`keyboard`] turn events into actions, [`gesture`] applies those of a drag;
 //! [`scene`], [`solid`], [`cameras`], [`ribbon`] and [`overlay`] draw.
 
+mod arrows;
 mod camera_caption;
 mod camera_picture;
 pub(crate) mod camera_view;
@@ -28,6 +29,7 @@ mod pointer;
 pub(crate) mod projection;
 pub(crate) mod ribbon;
 pub(crate) mod scene;
+pub(crate) mod seconds;
 mod shown_camera;
 mod sliders;
 mod solid;
@@ -93,8 +95,15 @@ fn room(editor: &mut Editor) -> &mut MovementWindow {
 }
 
 pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
-    points_list::show(editor, ui);
     let context = ui.ctx().clone();
+    if editor.is_first_screen() {
+        let viewport = ui.available_rect_before_wrap();
+        ui.advance_cursor_after_rect(viewport);
+        editor.host_pane = None;
+        return show_in(editor, ui, viewport, None);
+    }
+    editor.space.pointer.begun = None;
+    points_list::show(editor, ui);
     let viewport = match editor.shows_sliders() {
         true => editor.part_of(&context, room, |editor, space, actions| {
             sliders::show(editor, &mut space.view_before, ui, actions)
@@ -123,7 +132,7 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
 }
 
 /// What mouse and keys do beside what the thesis names: input and meaning.
-pub(super) fn shortcut_help(texts: &Texts) -> [(&'static str, &'static str); 40] {
+pub(super) fn shortcut_help(texts: &Texts) -> [(&'static str, &'static str); 41] {
     let timeline = &texts.timeline;
     let texts = &texts.space;
     [
@@ -150,6 +159,7 @@ pub(super) fn shortcut_help(texts: &Texts) -> [(&'static str, &'static str); 40]
         (texts.roll_keys, texts.roll_meaning),
         (texts.turn_keys, texts.turn_meaning),
         (texts.size_keys, texts.size_meaning),
+        (texts.frame_keys, texts.frame_meaning),
         (texts.next_keys, texts.next_meaning),
         (texts.play_keys, texts.play_meaning),
         (texts.loop_keys, texts.loop_meaning),
@@ -170,6 +180,44 @@ pub(super) fn shortcut_help(texts: &Texts) -> [(&'static str, &'static str); 40]
     ]
 }
 
+/// Where the path leads, piece by piece.
+fn along(document: &Document) -> Vec<DVec3> {
+    let found = document.timeline(|timeline| {
+        let segments = timeline.segment_count();
+        let steps = (THUMBNAIL_PIECES / segments.max(1)).clamp(1, 24);
+        let every = segments.div_ceil(THUMBNAIL_PIECES).max(1);
+        let some = (0..segments).step_by(every);
+        let along = some.flat_map(|segment| {
+            let curve = timeline.curve(segment);
+            (0..=steps).map(move |step| curve.point(step as f64 / steps as f64))
+        });
+        along.collect()
+    });
+    // Out of memory there is merely no curve.
+    found.unwrap_or_default()
+}
+
+/// The view in which the flight is seen as large as it fits, or the object if there is one.
+fn framing(editor: &Editor, viewport: Rect, object: bool) -> Option<View> {
+    let document = &editor.document;
+    let lines = || scene_view::outline(document).unwrap_or_default();
+    let mut places: Vec<DVec3> = match object {
+        true => document
+            .info()
+            .object
+            .iter()
+            .map(|point| point.position)
+            .collect(),
+        false if document.edits_path() => along(document),
+        false => Vec::new(),
+    };
+    if places.is_empty() {
+        places = lines().into_iter().flatten().collect();
+    }
+    let space = document.path().space;
+    surface::framed(&editor.setup.view, viewport, space, places.into_iter())
+}
+
 /// A small picture of a path in the default view: its space's edges, and the curve as one line.
 pub(super) fn thumbnail(document: &Document, size: Vec2) -> (Vec<[Pos2; 2]>, Vec<Pos2>) {
     let viewport = Rect::from_min_size(Pos2::ZERO, size);
@@ -177,23 +225,12 @@ pub(super) fn thumbnail(document: &Document, size: Vec2) -> (Vec<[Pos2; 2]>, Vec
     let space = edited.map_or(document.path().space, |edited| edited.scene().space());
     let projection = Projection::of(&View::default(), viewport, space);
     let edges = cube(space).map(|(from, to)| [from, to].map(|end| projection.pos(end)));
-    let curve = document.timeline(|timeline| {
-        let segments = timeline.segment_count();
-        let steps = (THUMBNAIL_PIECES / segments.max(1)).clamp(1, 24);
-        let every = segments.div_ceil(THUMBNAIL_PIECES).max(1);
-        let some = (0..segments).step_by(every);
-        let along = some.flat_map(|segment| {
-            let curve = timeline.curve(segment);
-            (0..=steps).map(|step| curve.point(step as f64 / steps as f64))
-        });
-        along.map(|point| projection.pos(point)).collect()
-    });
-    // Out of memory there is merely no curve.
-    let mut curve: Vec<Pos2> = curve.unwrap_or_default();
-    if !document.edits_path() {
-        curve.clear();
-    }
-    (edges.collect(), curve)
+    let places = match document.edits_path() {
+        true => along(document),
+        false => Vec::new(),
+    };
+    let curve = places.into_iter().map(|point| projection.pos(point));
+    (edges.collect(), curve.collect())
 }
 
 /// The same for a scene in which no path is edited: its lines.
@@ -246,6 +283,15 @@ fn show_in(editor: &mut Editor, ui: &mut Ui, viewport: Rect, covered: Option<Rec
     let name = editor.texts().space.name;
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Canvas, true, name));
     let context = ui.ctx().clone();
+    if std::mem::take(&mut editor.space.opened) && editor.document.edits_path() {
+        let projection = projection_of(editor, viewport);
+        let places = along(&editor.document).into_iter();
+        if !surface::fills(&projection, viewport, places)
+            && let Some(view) = framing(editor, viewport, false)
+        {
+            editor.setup.view = view;
+        }
+    }
     let layer = ui.layer_id();
     let mut above = gizmo::rooms(editor, viewport);
     above.extend(start::rooms(editor, viewport));
@@ -292,6 +338,8 @@ fn show_in(editor: &mut Editor, ui: &mut Ui, viewport: Rect, covered: Option<Rec
         }
         if response.double_clicked()
             && space.pointer.hover.is_none()
+            && space.pointer.arrow.is_none()
+            && !editor.is_first_screen()
             && !space.pointer.clicked_node()
         {
             actions.push(Action::View(View::default()));
@@ -351,7 +399,7 @@ impl MovementWindow {
             matrix: projection.matrix(pixels_per_point),
             front: 0.0,
             slack: [1.5, 0.0],
-            light: projection.light(),
+            lights: projection.lights(),
             rect: viewport,
             pixels_per_point,
             of_path: true,
@@ -393,6 +441,17 @@ impl MovementWindow {
             add_shared(self.nodes.update(editor, &look)?);
             nodes::names(editor, painter, &look);
         }
+        if editor.is_first_screen() {
+            let at = painter.ctx().input(|input| input.pointer.latest_pos());
+            if let Some(begun) = pointer.begun {
+                let to = at.map_or(begun, |at| drawing::place_in(editor, viewport, at));
+                let palette = editor.setup.theme().palette();
+                add(overlay::stroke(&look, &[begun, to], palette));
+                add(overlay::ring(&look, begun, palette.accent, false));
+            }
+            self.draw_hint(editor, painter, &look);
+            return trouble;
+        }
         if !document.edits_path() {
             trail::paint(&self.pointer, editor, painter, &look);
             self.draw_hint(editor, painter, &look);
@@ -404,6 +463,7 @@ impl MovementWindow {
             self.ribbon.paint(painter, &look);
         }
         self.lines.paint(painter, viewport);
+        add_shared(self.seconds.update(document, &look));
         add(cameras::current_key(document, &look));
         if let Some((through, freedom)) = through {
             add(overlay::guides(&look, through, freedom));
@@ -475,6 +535,11 @@ impl MovementWindow {
             }
             add(strokes.finish());
         }
+        let at = painter.ctx().input(|input| input.pointer.latest_pos());
+        let at = at
+            .filter(|_| pointer.arrow.is_some())
+            .map(projection::from_pos);
+        arrows::show(editor, painter, look, at);
         if let Some(tips) = picking::tips(document) {
             add(overlay::circle(look, &tips));
             overlay::arrows(painter, look, &tips);

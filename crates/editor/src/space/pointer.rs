@@ -8,8 +8,8 @@ use super::keyboard::{self, NUDGES};
 use super::projection::{Axis, Projection, from_pos};
 use super::transform::{self, Next};
 use super::typed::Typed;
-use super::{drawing, of_nodes, picking};
-use crate::action::{Action, ToolAction};
+use super::{arrows, drawing, of_nodes, picking};
+use crate::action::{Action, PathAction, ToolAction};
 use crate::keys;
 use crate::space::surface::{FINE, PointerContext, STILL, WHEEL, axis_of, projection_of, resized};
 use crate::state::Editor;
@@ -93,21 +93,19 @@ impl PointerController {
             Handle::Tangent(Side::After) => fill(texts.tangent_hint, &[&texts.after, &hint]),
             _ => hint,
         };
+        let in_freedom = |freedom: DragConstraint| match (freedom.along, freedom.edge_on) {
+            (None, _) => fill(texts.in_plane, &[&freedom.fixed.letter()]),
+            (Some(along), None) => fill(texts.on_line, &[&along.letter()]),
+            (Some(along), Some(kept)) => fill(texts.edge_on, &[&kept.letter(), &along.letter()]),
+        };
         match (self.dragged(), self.hover) {
+            (None, None) if self.arrow.is_some() => self.arrow.map(in_freedom),
+            (None, None) if self.begun.is_some() => Some(texts.begin_next.to_owned()),
             (None, None) if draws && !self.is_busy() => Some(texts.draw_hint.to_owned()),
             (None, None) if self.meant == Some(Kind::Turn) => Some(texts.turn_hint.to_owned()),
             (None, None) if self.meant.is_some() => Some(texts.scale_hint.to_owned()),
             (Some((Handle::Vup, _)), _) => Some(texts.rolling.to_owned()),
-            (Some((what, freedom)), _) => Some(of_tangent(
-                what,
-                match (freedom.along, freedom.edge_on) {
-                    (None, _) => fill(texts.in_plane, &[&freedom.fixed.letter()]),
-                    (Some(along), None) => fill(texts.on_line, &[&along.letter()]),
-                    (Some(along), Some(kept)) => {
-                        fill(texts.edge_on, &[&kept.letter(), &along.letter()])
-                    }
-                },
-            )),
+            (Some((what, freedom)), _) => Some(of_tangent(what, in_freedom(freedom))),
             (None, Some(Handle::Vup)) if !self.is_busy() => Some(texts.roll_hint.to_owned()),
             (None, Some(Handle::Node(_))) if !self.is_busy() => Some(texts.node_hint.to_owned()),
             (None, Some(Handle::Key(..))) if !self.is_busy() => Some(texts.key_hint.to_owned()),
@@ -189,6 +187,13 @@ impl PointerController {
             }
             _ => None,
         };
+        let free = self.over && self.hold.is_none() && self.transform.is_none();
+        let free = free && self.hover.is_none() && !drawing::is_wanted(editor);
+        self.arrow = pointer.filter(|_| free).and_then(|at| {
+            let projection = projection_of(editor, surface.viewport);
+            let (_, freedom, _) = arrows::grasped(editor, &projection, from_pos(at))?;
+            Some(freedom)
+        });
         self.meant = pointer
             .filter(|_| self.over && self.hold.is_none())
             .and_then(|at| {
@@ -209,7 +214,7 @@ impl PointerController {
             (None, None) if self.transform.is_some() || self.drawing.is_some() => {
                 CursorIcon::Crosshair
             }
-            (None, _) if self.meant.is_some() => CursorIcon::Grab,
+            (None, _) if self.meant.is_some() || self.arrow.is_some() => CursorIcon::Grab,
             (None, Some(_)) => CursorIcon::Grab,
             (None, None) => CursorIcon::Default,
         }
@@ -271,6 +276,13 @@ impl PointerController {
                 key: Key::Escape,
                 pressed: true,
                 ..
+            } if self.begun.take().is_some() => {
+                keys::consume_escape(surface.context);
+            }
+            Event::Key {
+                key: Key::Escape,
+                pressed: true,
+                ..
             } if self.hold.is_none() && surface.keyboard && editor.several().is_some() => {
                 actions.push(Action::Choose(SelectionChange::Current));
                 keys::consume_escape(surface.context);
@@ -314,6 +326,7 @@ impl PointerController {
             self.motion(editor, surface, now, actions);
         } else if surface.keyboard
             && self.hold.is_none()
+            && !editor.is_first_screen()
             && !(modifiers.is_none() && self.begin_transform(editor, surface, key, actions))
         {
             keyboard::press(self, editor, surface.viewport, (key, modifiers), actions);
@@ -390,6 +403,11 @@ impl PointerController {
             self.begin(editor, transform, actions);
             return;
         }
+        let arrow = arrows::grasped(editor, &projection, from_pos(pos)).filter(|_| plain);
+        let (what, freedom, lag) = match arrow {
+            Some((point, freedom, lag)) => (Some(point), freedom, lag),
+            None => (what, freedom, DVec2::ZERO),
+        };
         let adds = left && (modifiers.shift || modifiers.ctrl);
         // A click selects one more, a drag is fine: which one it is shows later.
         if !(adds && matches!(what, Some(Handle::Point(_)))) {
@@ -406,7 +424,7 @@ impl PointerController {
                 .and_then(|what| place_held(editor, what))
                 .unwrap_or_default(),
             freedom,
-            lag: DVec2::ZERO,
+            lag,
             snaps: false,
             alone: false,
             joint: editor.joint().unwrap_or_default(),
@@ -482,6 +500,17 @@ impl PointerController {
             } else if hold.boxes {
                 actions.push(hold.within(editor, viewport));
             }
+        } else if editor.is_first_screen() {
+            if hold.button == PointerButton::Primary {
+                let place = drawing::place_in(editor, viewport, hold.pressed);
+                match self.begun.filter(|begun| *begun != place) {
+                    None => self.begun = Some(place),
+                    Some(begun) => {
+                        self.begun = None;
+                        actions.push(Action::Path(PathAction::Begin([begun, place])));
+                    }
+                }
+            }
         } else if hold.button == PointerButton::Secondary {
             self.menu = Some((hold.pressed, hold.what.filter(|what| what.is_of_path())));
         } else if self.clicks_node(editor, viewport, &hold, actions) {
@@ -534,6 +563,9 @@ fn handle_at(
     pos: Pos2,
     with_vup: bool,
 ) -> Option<Handle> {
+    if editor.is_first_screen() {
+        return None;
+    }
     let pointer = from_pos(pos);
     let cage = editor.windows.tool.as_ref().and_then(ToolWindow::cage);
     let nodes = cage.map_or(&[][..], |cage| &cage.nodes);

@@ -124,10 +124,10 @@ impl Projection {
         .transpose()
     }
 
-    /// From where the light comes, a unit vector: from the upper left of the viewer.
-    pub(super) fn light(&self) -> DVec3 {
+    /// From where the light comes, see [`lights`].
+    pub(super) fn lights(&self) -> [DVec3; 2] {
         let [right, down] = [self.across, self.down].map(DVec3::normalize_or_zero);
-        light(right, -down, self.toward)
+        lights(right, -down, self.toward)
     }
 
     pub(super) fn image(&self, point: DVec3) -> DVec2 {
@@ -221,13 +221,16 @@ impl Projection {
     }
 }
 
-/// From where the light comes for a viewer.
-pub(super) fn light(right: DVec3, up: DVec3, toward: DVec3) -> DVec3 {
-    (toward + 0.7 * up - 0.45 * right).normalize_or_zero()
+/// From where the light comes for a viewer, unit vectors: the main one from the upper left, a weak
+/// one from the right.
+pub(super) fn lights(right: DVec3, up: DVec3, toward: DVec3) -> [DVec3; 2] {
+    let main = toward + 0.7 * up - 0.45 * right;
+    let other = 0.4 * toward - 0.2 * up + right;
+    [main, other].map(DVec3::normalize_or_zero)
 }
 
 /// For egui, in single precision.
-pub(super) fn to_pos(image: DVec2) -> Pos2 {
+pub(crate) fn to_pos(image: DVec2) -> Pos2 {
     #[allow(clippy::cast_possible_truncation)]
     let [x, y] = image.to_array().map(|x| x as f32);
     pos2(x, y)

@@ -230,7 +230,7 @@ impl Solid {
                     let normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
                     let normal = normal.normalize_or_zero() * if turned { -1.0 } else { 1.0 };
                     let middle = (corners[0] + corners[1] + corners[2]) / 3.0;
-                    lamps::lit(&lamps, middle, normal, 0.5 + 0.5 * normal.dot(eye.light))
+                    lamps::lit(&lamps, middle, normal, of_viewer(eye, normal))
                 };
                 let own = own_colour(seen.mesh, triangle);
                 let images = triangle.map(|at| images[at as usize]);
@@ -266,6 +266,13 @@ impl Solid {
         self.sight = Some(sight);
         quick && (smooth || many)
     }
+}
+
+/// How bright the viewer's own lights make a face, in 0…1: the main one also reaches round, the weak
+/// one tells apart what it leaves equal.
+fn of_viewer(eye: &Eye, normal: DVec3) -> f64 {
+    let [main, other] = eye.lights.map(|light| normal.dot(light));
+    0.7 * (0.5 + 0.5 * main) + 0.3 * other.max(0.0)
 }
 
 /// All visible objects with meshes: the path's own, and those of the scene.
@@ -378,7 +385,7 @@ pub(super) fn tone(ground: Color32, base: Color32, own: Option<[f32; 3]>, lit: f
     let bright = |colour: Color32| colour.r() as u32 + colour.g() as u32 + colour.b() as u32;
     let share = match bright(base) > bright(ground) {
         true => 0.07 + 0.25 * lit,
-        false => 0.2 - 0.08 * lit,
+        false => 0.19 - 0.17 * lit,
     };
     ground.lerp_to_gamma(base, share)
 }

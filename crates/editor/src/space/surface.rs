@@ -1,9 +1,11 @@
 //! The space as it is seen in this pass: its projection, and what pointer and keys are meant for.
 
 use egui::{Context, Key, Pos2, Rect};
+use glam::{DVec2, DVec3};
+use vides_engine::path::Space;
 
 use crate::setup::View;
-use crate::space::projection::{Axis, Projection, from_pos, scale};
+use crate::space::projection::{Axis, Projection, from_pos, scale, to_pos};
 use crate::state::Editor;
 
 /// A press that moves no farther than this, in points, is no drag: hands tremble.
@@ -49,6 +51,56 @@ pub(crate) fn resized(view: &View, viewport: Rect, pointer: Option<Pos2>, factor
     }
     view.size = size;
     view.in_range()
+}
+
+/// The share of the viewport that what is framed fills.
+const FRAMED: f64 = 0.8;
+
+/// The view from the same side in which all these places are seen, as large as they fit; none
+/// without two places apart.
+pub(crate) fn framed(
+    view: &View,
+    viewport: Rect,
+    space: Space,
+    places: impl Iterator<Item = DVec3>,
+) -> Option<View> {
+    let plain = View {
+        size: 1.0,
+        shift: [0.0; 2],
+        ..*view
+    };
+    let projection = Projection::of(&plain, viewport, space);
+    let middle = from_pos(viewport.center());
+    let [low, high] = bounds(places.map(|place| projection.image(place) - middle))?;
+    let room = from_pos(viewport.size().to_pos2()) * FRAMED;
+    let size = (room / (high - low)).min_element();
+    let shift = 0.5 * (low + high) / scale(&plain, viewport);
+    let found = View {
+        size,
+        shift: [-shift.x, shift.y],
+        ..plain
+    };
+    size.is_finite().then(|| found.in_range())
+}
+
+/// Whether places are seen well: all of them, and not in a small part of the viewport.
+pub(crate) fn fills(
+    projection: &Projection,
+    viewport: Rect,
+    places: impl Iterator<Item = DVec3>,
+) -> bool {
+    let Some([low, high]) = bounds(places.map(|place| projection.image(place))) else {
+        return true;
+    };
+    let share = (high - low) / from_pos(viewport.size().to_pos2());
+    let within = [low, high].iter().all(|&at| viewport.contains(to_pos(at)));
+    within && share.max_element() > 0.3
+}
+
+fn bounds(images: impl Iterator<Item = DVec2>) -> Option<[DVec2; 2]> {
+    images
+        .map(|image| [image; 2])
+        .reduce(|[low, high], [image, _]| [low.min(image), high.max(image)])
 }
 
 pub(crate) fn projection_of(editor: &Editor, viewport: Rect) -> Projection {

@@ -45,6 +45,8 @@ pub(crate) enum AfterSave {
     /// An empty path takes its place.
     New,
     Load,
+    /// The example takes its place.
+    Example,
     /// A recent file is loaded, by its number.
     Recent(usize),
     /// The path that was dropped on the window is loaded.
@@ -59,6 +61,18 @@ pub(crate) struct Item {
     pub(crate) name: OsString,
     pub(crate) shown: String,
     pub(crate) is_folder: bool,
+    pub(crate) written: Option<SystemTime>,
+    /// In bytes.
+    pub(crate) size: u64,
+}
+
+/// In which order the files of a directory are listed: by name, the newest or the largest first.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Order {
+    #[default]
+    Name,
+    Date,
+    Size,
 }
 
 /// A directory that is being or has been read.
@@ -134,6 +148,9 @@ pub(crate) struct FileWindow {
     /// The true name of what was chosen, which may be impossible to type.
     pub(crate) chosen: Option<OsString>,
     pub(crate) filter: String,
+    /// That of what the file is chosen for.
+    pub(crate) own_filter: String,
+    pub(crate) order: Order,
     /// The name of the format that is written.
     pub(crate) format: Option<&'static str>,
     pub(crate) hidden: bool,

@@ -27,7 +27,7 @@ use crate::host::program::Program;
 use crate::host::warning::Warnings;
 use crate::setup::{Element, Setup, View};
 use crate::space::cameras::Camera;
-use crate::state::files::{AfterSave, Pictures, Question};
+use crate::state::files::{AfterSave, Order, Pictures, Question};
 use crate::state::host::{HostPane, PlayheadState};
 use crate::state::length::Length;
 use crate::state::obstacles::Obstacles;
@@ -140,6 +140,8 @@ pub struct Editor {
     pub(super) joint: (usize, space::Joint),
     /// Where the last file was chosen.
     pub(super) last_folder: Option<PathBuf>,
+    /// In which order files were listed last.
+    pub(super) file_order: Order,
     /// Where the last block was chosen.
     pub(super) block_folder: Option<PathBuf>,
     /// What is to be done once the text being typed has been applied.
@@ -209,6 +211,7 @@ impl Editor {
             selected: Selected::default(),
             joint: Default::default(),
             last_folder: None,
+            file_order: Order::default(),
             block_folder: None,
             waiting: None,
             typing: false,
@@ -232,6 +235,7 @@ impl Editor {
         };
         editor.read_first_setup();
         editor.read_recent();
+        editor.space.opened = editor.file.is_some() && !editor.fixed_speeds;
         if let Some(file) = editor.file.clone() {
             editor.note_file(&file);
         }

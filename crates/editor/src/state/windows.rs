@@ -111,6 +111,8 @@ pub(crate) struct Dock {
 
 #[derive(Debug)]
 pub(crate) struct HelpWindow {
+    /// Only rows with these words are shown.
+    pub(crate) search: String,
     /// How far to scroll, in pages.
     pub(crate) pages: f32,
 }

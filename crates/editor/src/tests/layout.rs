@@ -363,7 +363,7 @@ fn windows_and_menus_leave_the_bar_free() {
             screenshot(&mut window, &format!("layout-{name}-{what}.png"));
             press(&mut window, Modifiers::NONE, Key::Escape);
         }
-        for (letter, _) in crate::menu::letters(window.state().language()) {
+        for (letter, _) in crate::menu::letters(window.state().language(), false) {
             press(&mut window, Modifiers::ALT, letter);
             // A menu begins where its title ends.
             for rect in areas(&window, egui::Order::Foreground) {

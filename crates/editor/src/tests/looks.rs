@@ -466,7 +466,7 @@ fn nothing_is_cut_off_at_twice_the_size() {
             cut.extend(found.map(|found| (when.to_owned(), found)));
         };
         look(&mut window, "first");
-        for (letter, _) in crate::menu::letters(language) {
+        for (letter, _) in crate::menu::letters(language, false) {
             press(&mut window, Modifiers::ALT, letter);
             look(&mut window, letter.name());
             press(&mut window, Modifiers::NONE, Key::Escape);

@@ -54,7 +54,7 @@ pub(crate) fn options(language: Language) -> Options {
 
 /// Opens a menu by its key, which each language has its own.
 pub(crate) fn open_menu(window: &mut Window, number: usize) {
-    let (letter, _) = crate::menu::letters(window.state().language())[number];
+    let (letter, _) = crate::menu::letters(window.state().language(), false)[number];
     press(window, Modifiers::ALT, letter);
 }
 

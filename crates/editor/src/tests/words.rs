@@ -140,7 +140,7 @@ fn no_text_is_in_the_other_language() {
         for (modifiers, key) in [
             (Modifiers::NONE, Key::F2),
             (Modifiers::NONE, Key::F3),
-            (Modifiers::ALT, Key::F),
+            (Modifiers::ALT, Key::C),
             (Modifiers::ALT, Key::Z),
             (Modifiers::NONE, Key::F1),
             (Modifiers::ALT, Key::L),

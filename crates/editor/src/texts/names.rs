@@ -32,7 +32,8 @@ texts! {
     Files {
         load_path, save_path, load_object, add_object, export, load_setup, save_setup, load_block,
         save_block, import, block, one_file, not_here, folder, folder_hint, up, up_hint, home,
-        home_hint, contents, name, name_hint, filter, filter_hint, format, format_hint, hidden,
+        home_hint, contents, name, name_hint, filter, filter_hint, patterns,
+        order, by_name, by_date, by_size, all_files, kind_opened, kind_paths, kind_formats, kind_setups, kind_objects, format, format_hint, hidden,
         hidden_hint, load, take_hint, overwrite_hint, cancel_hint, save, write, cancel, reading,
         empty, more, no_name, exists, overwrite, proposal, poses,
     }
@@ -50,7 +51,7 @@ texts! {
 texts! {
     /// Texts of the window that lists keys and mouse actions.
     Help {
-        title, mouse, left_button, left_meaning, middle_button, middle_meaning, right_button,
+        title, search, search_hint, mouse, left_button, left_meaning, middle_button, middle_meaning, right_button,
         right_meaning, held_letters, held_meaning, vup_tip, vup_meaning, empty, empty_meaning,
         wheel, wheel_meaning, context, context_meaning, drop, drop_meaning, shortcuts, absolute,
         copy, paste, menus, open_menu, first_menu, arrows, arrows_meaning, letter, letter_meaning,
@@ -103,7 +104,8 @@ texts! {
 texts! {
     /// Texts of the output field.
     Output {
-        point, position, view, roll, zoom, handed_over, written, loaded, too_large, saved, copied,
+        point, position, view, roll, zoom, handed_over, written, loaded, at_rate, too_large, saved,
+        copied,
         nothing_copied, points_copied, points_pasted, points_removed, nothing_to_cut, no_points,
         not_pasted, nothing_to_undo, half_turn, at_target, over_target, length_changed, path_length_changed,
         nothing_to_redo,
@@ -122,8 +124,9 @@ texts! {
     Position {
         heading, curve, add, add_hint, add_many_hint, copy_hint, copy_many_hint, only_keep_hint,
         only_copy_hint, remove, remove_hint, previous_hint, next_hint, count, coordinate,
-        coordinate_hint, shape_hint, next_shape_hint, add_here, add_orientation_here, add_here_hint,
-        is_a_key, outside, in_between, preset, own, choice, choice_hint, change, change_hint, kind,
+        coordinate_hint, shape_hint, next_shape_hint, add_here, add_orientation_here, new_point,
+        new_orientation, add_here_hint,
+        is_a_key, outside, preset, own, choice, choice_hint, change, change_hint, kind,
         tcb, tcb_hint, centripetal, centripetal_hint, chordal, chordal_hint, cubic, cubic_hint,
         linear, linear_hint, tangents, own_tangents, own_tangents_hint, by_shape, by_shape_hint,
         smooth, smooth_hint, mirrored, mirrored_hint, corner, corner_hint, keeps_motion,
@@ -199,12 +202,14 @@ texts! {
         fly_meaning, fly_back, fly_back_tip, camera_view, camera_view_tip, camera_picture,
         close_camera_view, camera_at_frame, camera_at_key, millimetres, shift_mouse, shift_meaning,
         whole_mouse, whole_meaning, move_keys, move_meaning, target_keys, target_meaning, roll_keys,
-        roll_meaning, turn_keys, turn_meaning, size_keys, size_meaning, next_keys, next_meaning,
+        roll_meaning, turn_keys, turn_meaning, size_keys, size_meaning, frame_keys,
+        frame_meaning, next_keys, next_meaning,
         play_keys, play_meaning, camera_keys, camera_meaning, menu_keys, menu_meaning, facing_mouse,
         facing_meaning, snap_mouse, snap_meaning, fine_mouse, fine_meaning, escape_keys,
         escape_meaning, host_view, no_host_view, host_view_refused, same_view, take_over,
         take_over_tip, take_over_here, take_over_here_tip, begin_with, begin_view, begin_open,
-        begin_open_tip, one_outside, some_outside, outside_tip, view_menu, view_menu_tip,
+        begin_open_tip, drop_here, drop_kinds, begin_by_click, begin_next,
+        begin_example, begin_example_tip, begin_recording, begin_recording_tip, no_path, one_outside, some_outside, outside_tip, view_menu, view_menu_tip,
         view_oblique, view_oblique_tip, wireframe, wireframe_tip, sliders, sliders_tip, view_reset,
         view_front, view_right, view_above,
     }

@@ -7,7 +7,7 @@ use super::{Language, texts};
 
 texts! {
     Tools {
-        menu, ok, ok_hint, write, write_hint, cancel, cancel_hint, result, draw_now, only_path,
+        menu, moves, planning, shape, timing, ok, ok_hint, write, write_hint, cancel, cancel_hint, result, draw_now, only_path,
         block_written,
     }
 }

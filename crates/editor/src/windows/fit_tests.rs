@@ -84,7 +84,7 @@ fn an_import_shows_deviations_and_keeps_the_usual_tolerance() {
             value(&window, language.parameter("points")),
             points(&window).to_string()
         );
-        click(&mut window, "OK");
+        click_button(&mut window, |texts| texts.tools.ok);
         assert!(window.state().windows.tool.is_none());
     }
 }

@@ -14,6 +14,9 @@ use crate::{menu, space, theme};
 
 const KEYS: f32 = 232.0;
 
+/// Width of the field for the words that are looked for.
+const SEARCH: f32 = 320.0;
+
 /// More pages than there are.
 const ALL: f32 = 1e3;
 
@@ -25,7 +28,10 @@ impl SubWindow for HelpWindow {
     }
 
     fn new(_: &Editor) -> Self {
-        Self { pages: 0.0 }
+        Self {
+            pages: 0.0,
+            search: String::new(),
+        }
     }
 
     fn show(&mut self, editor: &Editor, context: &egui::Context, _: &mut Vec<Action>) -> bool {
@@ -34,10 +40,23 @@ impl SubWindow for HelpWindow {
         let height = (screen.y - 120.0).max(160.0);
         let column = ((screen.x - 100.0) / 2.0).max(KEYS);
         sub_window(context, Self::ID, texts.title, |ui| {
+            let words = (texts.search, texts.search_hint);
+            theme::line_edit(ui, &mut self.search, "help.search", SEARCH, words);
+            let wanted = self.search.trim().to_lowercase();
+            let fits = |(keys, meaning): &Row| {
+                let says = |words: &str| words.to_lowercase().contains(&wanted);
+                says(keys) || says(meaning)
+            };
             ScrollArea::vertical().max_height(height).show(ui, |ui| {
+                ui.set_min_width(SEARCH);
                 let pages = std::mem::take(&mut self.pages);
                 ui.scroll_with_delta(vec2(0.0, -0.9 * pages * height));
-                for (heading, rows) in sections(editor.language()) {
+                for (heading, rows) in sections(editor.language(), editor.fixed_speeds) {
+                    let all = heading.to_lowercase().contains(&wanted);
+                    let rows: Vec<Row> = rows.into_iter().filter(|row| all || fits(row)).collect();
+                    if rows.is_empty() {
+                        continue;
+                    }
                     let palette = theme::palette(ui);
                     ui.add_space(4.0);
                     ui.colored_label(palette.accent, heading);
@@ -80,7 +99,7 @@ impl HelpWindow {
 /// Keys or what the mouse does, and the meaning.
 type Row = (String, Cow<'static, str>);
 
-fn sections(language: Language) -> [(&'static str, Vec<Row>); 6] {
+fn sections(language: Language, of_1994: bool) -> [(&'static str, Vec<Row>); 6] {
     let texts = &language.texts().help;
     let row = |keys: &str, meaning: &'static str| (keys.to_owned(), meaning.into());
     let plain = |key| combination(language, Modifiers::NONE, key);
@@ -99,6 +118,11 @@ fn sections(language: Language) -> [(&'static str, Vec<Row>); 6] {
     mouse.extend(others.map(|(hand, meaning)| row(hand, meaning)));
     let shortcuts = SHORTCUTS
         .iter()
+        // Those that open menus are told there.
+        .filter(|(modifiers, key, _)| {
+            let mut menus = menu::letters(language, of_1994).into_iter();
+            *modifiers != Modifiers::ALT || menus.all(|(letter, _)| letter != *key)
+        })
         .map(|(modifiers, key, action)| {
             (
                 combination(language, *modifiers, *key),
@@ -111,7 +135,7 @@ fn sections(language: Language) -> [(&'static str, Vec<Row>); 6] {
         row(texts.arrows, texts.arrows_meaning),
         row(texts.letter, texts.letter_meaning),
     ];
-    let opened = menu::letters(language).map(|(letter, title)| {
+    let opened = menu::letters(language, of_1994).map(|(letter, title)| {
         let keys = combination(language, Modifiers::ALT, letter);
         (keys, fill(texts.open_menu, &[&title]).into())
     });
@@ -231,7 +255,7 @@ mod tests {
             let texts = language.texts();
             let mut window = window(language);
             let mut entries = 0;
-            for (at, (letter, title)) in menu::letters(language).into_iter().enumerate() {
+            for (at, (letter, title)) in menu::letters(language, false).into_iter().enumerate() {
                 let named = menu::names(window.state(), at);
                 for (action, name) in named {
                     let known = SHORTCUTS.iter().any(|(.., known)| *known == action);
@@ -241,7 +265,7 @@ mod tests {
                         assert_eq!(here.split(" · ").next(), Some(&*name), "{title}");
                     }
                 }
-                let rows = sections(language);
+                let rows = sections(language, false);
                 let opens = combination(language, Modifiers::ALT, letter);
                 assert!(rows.iter().any(|(_, rows)| {
                     rows.iter()

@@ -33,6 +33,9 @@ use crate::windows::sub_window::{ALL, SubWindow, layer, name_cross};
 pub(crate) use dock::place;
 pub(super) use speed::shapes;
 
+/// Between the panels and their tooltips.
+const BESIDE: f32 = 4.0;
+
 pub(super) fn open<W: SubWindow>(editor: &mut Editor, context: &egui::Context) {
     if W::slot(&mut editor.windows).is_none() {
         let window = W::new(editor);
@@ -90,13 +93,34 @@ pub(super) fn show(editor: &mut Editor, context: &egui::Context) {
     show_slot(editor, context, |open| &mut open.changed, Question::show);
 }
 
-/// Takes away the tooltips of this pass that would cover another window than that of the pointer.
-pub(super) fn free_of_tooltips(context: &egui::Context) {
+/// Puts the tooltips of the `panels` beside them, where they cover no field, and takes away those of
+/// this pass that would cover another window than that of the pointer.
+pub(super) fn free_of_tooltips(context: &egui::Context, panels: egui::Rect) {
     let pointer = context.input(|input| input.pointer.latest_pos());
     let owner = pointer.and_then(|pointer| context.layer_id_at(pointer));
     if owner.is_some_and(|owner| owner.order > egui::Order::Middle) {
         // A menu lies above windows, a modal one alone.
         return;
+    }
+    let beside = pointer.is_some_and(|pointer| panels.contains(pointer));
+    let aside = |rect: egui::Rect| {
+        let far = rect.right() - panels.left() + BESIDE;
+        let by = if beside {
+            far.clamp(0.0, rect.left().max(0.0))
+        } else {
+            0.0
+        };
+        egui::vec2(-by, 0.0)
+    };
+    let tips: Vec<_> = context.memory(|memory| {
+        let layers = memory.areas().visible_layer_ids().into_iter();
+        let tips = layers.filter(|layer| layer.order == egui::Order::Tooltip);
+        tips.filter_map(|layer| Some((layer, memory.area_rect(layer.id)?)))
+            .collect()
+    });
+    for &(layer, rect) in &tips {
+        let place = egui::emath::TSTransform::from_translation(aside(rect));
+        context.set_transform_layer(layer, place);
     }
     let hidden: Vec<egui::LayerId> = context.memory(|memory| {
         let visible = memory.areas().visible_layer_ids();
@@ -105,14 +129,12 @@ pub(super) fn free_of_tooltips(context: &egui::Context) {
         let others: Vec<_> = others
             .filter_map(|other| memory.area_rect(other.id))
             .collect();
-        let covers = |layer: &egui::LayerId| {
-            let rect = memory.area_rect(layer.id);
-            rect.is_some_and(|rect| others.iter().any(|other| other.intersects(rect)))
+        let covers = |rect: egui::Rect| {
+            let rect = rect.translate(aside(rect));
+            others.iter().any(|other| other.intersects(rect))
         };
-        let tips = visible
-            .into_iter()
-            .filter(|layer| layer.order == egui::Order::Tooltip);
-        tips.filter(covers).collect()
+        let covering = tips.iter().filter(|(_, rect)| covers(*rect));
+        covering.map(|(layer, _)| *layer).collect()
     });
     context.graphics_mut(|graphics| {
         for layer in hidden {

@@ -154,7 +154,7 @@ fn other_programs_get_no_preview() {
     press(&mut window, Modifiers::CTRL, Key::H);
     assert!(shows_orbit(&window));
     // `OK` gives it to all of them.
-    click(&mut window, "OK");
+    click_button(&mut window, |texts| texts.tools.ok);
     let after = told(&window);
     assert!(after.0 != before.0 && after.1 != before.1);
     assert_eq!(points(window.state().document()), WITH_ORBIT);
@@ -232,7 +232,7 @@ fn a_preview_keeps_fixed_times() {
         enter(&mut window, "Factor", "0.7");
         let shown = window.state().document.path().clone();
         assert_eq!(frames(&window.state().document) == before, fixed);
-        click(&mut window, "OK");
+        click_button(&mut window, |texts| texts.tools.ok);
         assert_eq!(window.state().document.path(), &shown);
         press(&mut window, Modifiers::CTRL, Key::Z);
         assert_eq!(frames(&window.state().document), before);

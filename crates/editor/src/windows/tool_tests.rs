@@ -46,7 +46,8 @@ fn undo_name(window: &Window) -> Option<&'static str> {
 
 /// The sentence below the fields, if the numbers will not do.
 fn refused(window: &Window) -> bool {
-    let ok = window.get_all_by_label("OK").last().expect("a button");
+    let ok = window.state().texts().tools.ok;
+    let ok = window.get_all_by_label(ok).last().expect("a button");
     ok.accesskit_node().is_disabled()
 }
 
@@ -140,7 +141,7 @@ fn a_move_leaves_the_film_as_it_is_unless_it_is_to_replace_it() {
             click(&mut window, language.choice("move"));
             assert_eq!(path(&window).points.len(), 5 + made.len());
             click(&mut window, language.choice("none"));
-            click(&mut window, "OK");
+            click_button(&mut window, |texts| texts.tools.ok);
             assert_eq!(places(&path(&window)), [&old[..], &made].concat());
             press(&mut window, Modifiers::CTRL, Key::Z);
             assert_eq!(path(&window), film, "{}", tool.name);
@@ -233,7 +234,7 @@ fn another_edit_first_takes_what_the_tool_shows() {
     pick(&mut window, "orbit");
     pick(&mut window, "repeat");
     assert_eq!(path(&window).points.len(), 11);
-    click(&mut window, "OK");
+    click_button(&mut window, |texts| texts.tools.ok);
     press(&mut window, Modifiers::CTRL, Key::Z);
     assert_eq!(path(&window), some_points().path().clone());
     assert_eq!(undo_name(&window), None);
@@ -320,7 +321,7 @@ fn a_block_is_written_and_put_in_by_files() {
         assert_eq!(path(&window).points.len(), 8);
         click(&mut window, language.choice("none"));
         assert_eq!(path(&window).points.len(), 9);
-        click(&mut window, "OK");
+        click_button(&mut window, |texts| texts.tools.ok);
         assert_eq!(undo_name(&window), Some("insert"));
     }
 }
@@ -355,7 +356,7 @@ fn blocks_lie_in_a_library_and_are_seen_before_they_are_chosen() {
         screenshot(&mut window, "files-block.png");
         click(&mut window, texts.files.load);
         assert!(window.state().windows.tool.is_some());
-        click(&mut window, "OK");
+        click_button(&mut window, |texts| texts.tools.ok);
         assert_eq!(undo_name(&window), Some("insert"));
         // Another file is chosen where paths are.
         let elsewhere = window.state().folder_for(Purpose::LoadPath);
@@ -390,7 +391,7 @@ fn a_path_is_blended_with_one_from_a_file() {
                 assert!(new.position.distance(old.position + share * moved) < 1e-12);
             }
         }
-        click(&mut window, "OK");
+        click_button(&mut window, |texts| texts.tools.ok);
         assert_eq!(undo_name(&window), Some("blend"));
     }
 }
@@ -413,7 +414,7 @@ fn recorded_poses_become_a_path() {
         let [a, b] = [a, b].map(|pose| DVec3::from_array(pose.vrp));
         assert!((a - b).length() <= 0.01);
     }
-    click(&mut window, "OK");
+    click_button(&mut window, |texts| texts.tools.ok);
     assert_eq!(undo_name(&window), Some("fit"));
     std::fs::write(&file, "1 2 3").expect("written");
     pick(&mut window, "fit");
@@ -450,7 +451,7 @@ fn a_check_finds_nothing_in_a_tour() {
         window.state_mut().edit(Edit::SetInfo(Box::new(info)));
         pick(&mut window, "tour");
         click(&mut window, language.choice("replace"));
-        click(&mut window, "OK");
+        click_button(&mut window, |texts| texts.tools.ok);
         assert_eq!(undo_name(&window), Some("tour"));
         assert_eq!(window.state().document.check(None).unwrap(), []);
     }

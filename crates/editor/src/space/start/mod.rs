@@ -1,5 +1,5 @@
 //! What the space itself offers: how to begin with an empty document, and a space for points that
-//! lie outside.
+//! lie outside. A window that belongs to no program begins with nothing else.
 
 mod sign;
 
@@ -52,7 +52,18 @@ enum Begin {
     /// With the program's camera as the first point.
     View,
     Open,
+    /// With a path that is there to be tried.
+    Example,
+    /// With poses that something has recorded.
+    Recording,
 }
+
+/// What the first screen offers where files are dropped.
+const FILES: [Begin; 3] = [Begin::Open, Begin::Example, Begin::Recording];
+
+/// The room for the words above these, and around them.
+const WORDS: f32 = 56.0;
+const MARGIN: f32 = 16.0;
 
 impl Begin {
     /// Its place among [`TOOLS`].
@@ -66,6 +77,8 @@ impl Begin {
 /// first.
 #[derive(Debug, Default)]
 struct Offered {
+    /// Where the first screen says that files can be dropped.
+    drop: Option<Rect>,
     begins: Vec<(Begin, Rect)>,
     /// With their places in the list.
     recent: Vec<(usize, Rect)>,
@@ -78,18 +91,59 @@ impl Offered {
     }
 }
 
+/// What the first screen offers, in the middle: files above, moves below, then files that were open.
+fn first_screen(editor: &Editor, viewport: Rect) -> Offered {
+    let row = |names: Vec<Begin>, top: f32| {
+        let width = names.len() as f32 * (BUTTON.x + GAP) - GAP;
+        let left = viewport.center().x - width / 2.0;
+        let place = move |at: usize| {
+            let left = left + at as f32 * (BUTTON.x + GAP);
+            Rect::from_min_size(egui::pos2(left, top), BUTTON)
+        };
+        let places = (0..names.len()).map(place);
+        names.into_iter().zip(places).collect::<Vec<_>>()
+    };
+    let size = vec2(380.0, WORDS + BUTTON.y + MARGIN);
+    let whole = size.y + 2.0 * MARGIN + BUTTON.y + theme::ROW;
+    let below = MARGIN + PICTURED.y;
+    let has_room = viewport.height() > whole + below + AXES.y;
+    let high = whole + below * f32::from(u8::from(has_room && !editor.recent.is_empty()));
+    let top = viewport.center().y - high / 2.0;
+    let left = viewport.center().x - size.x / 2.0;
+    let drop = Rect::from_min_size(egui::pos2(left, top), size);
+    let mut begins = row(FILES.to_vec(), top + WORDS);
+    let under = drop.bottom() + MARGIN;
+    begins.extend(row(moves().collect(), under));
+    let room = viewport.shrink(ABOVE).with_max_y(top + high);
+    Offered {
+        drop: Some(drop),
+        begins,
+        recent: match has_room {
+            true => recent(editor, room),
+            false => Vec::new(),
+        },
+    }
+}
+
+/// The moves and tools that are offered.
+fn moves() -> impl Iterator<Item = Begin> {
+    TOOLS.iter().filter_map(|name| {
+        let mut all = tool::tools();
+        all.find(|tool| tool.name == *name).map(Begin::Tool)
+    })
+}
+
 fn offered(editor: &Editor, viewport: Rect) -> Offered {
     let is_open = editor.windows.tool.is_some() || editor.windows.has_modal();
     if is_open || !editor.begins() {
         return Offered::default();
     }
-    let tools = TOOLS.iter().filter_map(|name| {
-        let mut all = tool::tools();
-        all.find(|tool| tool.name == *name).map(Begin::Tool)
-    });
+    if editor.is_first_screen() {
+        return first_screen(editor, viewport);
+    }
     let views = editor.host_view.captures || editor.ghost.is_some();
     let view = views.then_some(Begin::View);
-    let mut all: Vec<Begin> = tools.chain(view).chain([Begin::Open]).collect();
+    let mut all: Vec<Begin> = moves().chain(view).chain([Begin::Open]).collect();
     let width = |count: usize, each: f32| count as f32 * (each + GAP) - GAP;
     // Beside the axes, or else above them; what has no room is in the menus.
     let beside = viewport.shrink(ABOVE).with_min_x(viewport.left() + AXES.x);
@@ -120,6 +174,7 @@ fn offered(editor: &Editor, viewport: Rect) -> Offered {
     });
     let begins: Vec<(Begin, Rect)> = all.clone().into_iter().zip(places).collect();
     Offered {
+        drop: None,
         begins,
         recent: recent(editor, room.with_max_y(room.bottom() - size.y - GAP)),
     }
@@ -156,6 +211,13 @@ impl Editor {
         let document = &self.document;
         let of_none = self.file.is_none() && document.edited_scene().is_none();
         of_none && document.is_new()
+    }
+
+    /// Whether there is nothing but ways to begin: a window of our own, and no path or object in it
+    /// that the user or a host has made.
+    pub(crate) fn is_first_screen(&self) -> bool {
+        let busy = self.windows.tool.is_some() || self.windows.front().is_some();
+        self.program.offers_all && !busy && self.begins() && !self.has_object()
     }
 }
 
@@ -201,6 +263,7 @@ pub(super) fn rooms(editor: &Editor, viewport: Rect) -> impl Iterator<Item = Rec
     let notice = notice(editor, viewport).map(|(_, place)| place);
     offered
         .places()
+        .chain(offered.drop)
         .chain(notice)
         .collect::<Vec<_>>()
         .into_iter()
@@ -209,6 +272,9 @@ pub(super) fn rooms(editor: &Editor, viewport: Rect) -> impl Iterator<Item = Rec
 /// Shows both.
 pub(super) fn show(editor: &Editor, ui: &mut Ui, viewport: Rect, actions: &mut Vec<Action>) {
     let offered = offered(editor, viewport);
+    if let Some(drop) = offered.drop {
+        show_drop(editor, ui, drop);
+    }
     let around = (!offered.begins.is_empty()).then(|| Around::of(editor));
     for (begin, place) in &offered.begins {
         let around = around.as_ref().and_then(Option::as_ref);
@@ -219,6 +285,33 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, viewport: Rect, actions: &mut V
         show_recent(editor, ui, (at, place, &names[at]), actions);
     }
     show_notice(editor, ui, viewport, actions);
+}
+
+/// The frame in which an object is dropped; and that a click into the space begins a path there.
+fn show_drop(editor: &Editor, ui: &Ui, drop: Rect) {
+    let (texts, palette) = (&editor.texts().space, theme::palette(ui));
+    let painter = ui.painter();
+    painter.rect_filled(drop, 8.0, palette.panel);
+    let corners = [
+        drop.left_top(),
+        drop.right_top(),
+        drop.right_bottom(),
+        drop.left_bottom(),
+        drop.left_top(),
+    ];
+    let stroke = egui::Stroke::new(1.5, palette.edge);
+    painter.extend(egui::Shape::dashed_line(&corners, stroke, 6.0, 5.0));
+    let words = |y: f32, text: &str, size: f32, color| {
+        let at = egui::pos2(drop.center().x, y);
+        let font = FontId::proportional(size);
+        let place = painter.text(at, Align2::CENTER_CENTER, text, font, color);
+        let response = ui.interact(place, ui.scope_id().with(text), egui::Sense::hover());
+        response.widget_info(|| WidgetInfo::labeled(Role::Label, true, text));
+    };
+    words(drop.top() + 21.0, texts.drop_here, 18.0, palette.text);
+    words(drop.top() + 43.0, texts.drop_kinds, 12.0, palette.weak);
+    let below = drop.bottom() + 2.0 * MARGIN + BUTTON.y;
+    words(below, texts.begin_by_click, theme::TEXT, palette.text);
 }
 
 fn show_beginning(
@@ -243,6 +336,16 @@ fn show_beginning(
             texts.begin_open,
             texts.begin_open_tip,
             Action::File(FileAction::Load),
+        ),
+        Begin::Example => (
+            texts.begin_example,
+            texts.begin_example_tip,
+            Action::File(FileAction::Example),
+        ),
+        Begin::Recording => (
+            texts.begin_recording,
+            texts.begin_recording_tip,
+            Action::File(FileAction::Import),
         ),
     };
     let response = ui.put(place, Button::new("").frame_when_inactive(true));

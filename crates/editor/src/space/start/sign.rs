@@ -118,6 +118,29 @@ pub(super) fn paint(painter: &Painter, begin: Begin, at: Pos2, color: Color32, w
                 [9.0, 7.0],
             ]);
         }
+        Begin::Example => {
+            thing(0.0, 3.0);
+            flown(&[
+                [-15.0, 6.0],
+                [-11.0, -2.0],
+                [0.0, -8.0],
+                [11.0, -2.0],
+                [15.0, 6.0],
+            ]);
+        }
+        Begin::Recording => {
+            let dots = (0..=6_u8).map(|step| {
+                let x = f32::from(step) * 5.0 - 15.0;
+                [x, 5.0 * (x / 6.0).sin()]
+            });
+            let dots: Vec<[f32; 2]> = dots.collect();
+            for [x, y] in &dots {
+                painter.circle_filled(at + vec2(*x, *y), 1.8, color);
+            }
+            if way.is_some() {
+                flown(&dots);
+            }
+        }
         Begin::View => {
             line(&[
                 [-9.0, -6.0],

@@ -36,6 +36,118 @@ fn an_empty_document_offers_beginnings_until_something_is_done() {
     assert_eq!(begins(&window), 0);
 }
 
+/// A window of our own, in which nothing has been done.
+fn first(language: Language, size: [f32; 2], theme: Theme) -> Window {
+    let mut options = options(language);
+    options.program.offers_all = true;
+    window_of(options, size, 1.0, theme)
+}
+
+/// Nothing that the user has not made is shown, and no key changes what is not seen.
+#[test]
+fn the_first_screen_shows_ways_to_begin_and_no_path() {
+    for language in BOTH {
+        for (size, theme) in [
+            (LARGE, Theme::Dark),
+            (LARGE, Theme::Light),
+            (SMALL, Theme::Dark),
+            (SMALL, Theme::Light),
+            ([640.0, 440.0], Theme::Light),
+        ] {
+            let texts = language.texts();
+            let mut window = first(language, size, theme);
+            let space = window.get_by_label(texts.space.name).rect();
+            assert_eq!([space.width(), space.bottom()], size);
+            let all: Vec<Rect> = offered(window.state(), space).places().collect();
+            assert_eq!(all.len(), FILES.len() + TOOLS.len());
+            for (at, place) in all.iter().enumerate() {
+                assert!(space.contains_rect(*place), "{size:?}: {place:?}");
+                let apart = |other: &Rect| !other.intersects(*place);
+                assert!(all[at + 1..].iter().all(apart), "{size:?}");
+            }
+            for name in [texts.position.heading, texts.timing.heading] {
+                assert!(window.query_by_label(name).is_none(), "{name}");
+            }
+            window.get_by_label(texts.space.drop_here);
+            screenshot(
+                &mut window,
+                &format!("first-{language:?}-{theme:?}-{}.png", size[0]),
+            );
+            for key in [Key::Insert, Key::Delete, Key::F3, Key::F7, Key::ArrowLeft] {
+                press(&mut window, egui::Modifiers::NONE, key);
+            }
+            let editor = window.state();
+            assert!(editor.is_first_screen() && !editor.document.can_undo());
+        }
+    }
+}
+
+/// The first click sets the first point, the second one the path, which undo takes back.
+#[test]
+fn a_path_begins_with_the_first_point_that_is_set() {
+    let mut window = first(Language::English, LARGE, Theme::Dark);
+    let viewport = window
+        .get_by_label(Language::English.texts().space.name)
+        .rect();
+    let places = [egui::pos2(400.0, 520.0), egui::pos2(800.0, 520.0)];
+    let expected = places.map(|at| {
+        let projection = super::super::surface::projection_of(window.state(), viewport);
+        projection.point_facing(DVec3::ZERO, super::super::projection::from_pos(at))
+    });
+    let set = |window: &mut Window, at: egui::Pos2| {
+        window.hover_at(at);
+        window.run();
+        for pressed in [true, false] {
+            window.event(egui::Event::PointerButton {
+                pos: at,
+                button: egui::PointerButton::Primary,
+                pressed,
+                modifiers: egui::Modifiers::NONE,
+            });
+            window.run();
+        }
+    };
+    let before = window.state().document.path().clone();
+    // Escape begins again.
+    set(&mut window, egui::pos2(240.0, 500.0));
+    press(&mut window, egui::Modifiers::NONE, Key::Escape);
+    set(&mut window, places[0]);
+    window.hover_at(places[1]);
+    window.run();
+    screenshot(&mut window, "first-point.png");
+    assert!(window.state().is_first_screen());
+    assert_eq!(*window.state().document.path(), before);
+    set(&mut window, places[1]);
+    let path = window.state().document.path();
+    for (point, expected) in path.points.iter().zip(expected) {
+        assert!(
+            point.position.abs_diff_eq(expected, 1e-9),
+            "{}",
+            point.position
+        );
+        assert!(point.orientations[0].own.ahead.is_some());
+    }
+    assert!(!window.state().is_first_screen());
+    screenshot(&mut window, "first-path.png");
+    press(&mut window, egui::Modifiers::CTRL, Key::Z);
+    assert_eq!(*window.state().document.path(), before);
+    assert!(window.state().is_first_screen());
+}
+
+/// The example has no file that could be overwritten.
+#[test]
+fn the_example_is_one_click_away() {
+    let mut window = first(Language::English, LARGE, Theme::Light);
+    let texts = &Language::English.texts().space;
+    click(
+        &mut window,
+        &fill(texts.begin_with, &[&texts.begin_example]),
+    );
+    let editor = window.state();
+    assert!(editor.document.path().points.len() > 2 && editor.file.is_none());
+    assert!(!editor.is_unsaved() && !editor.is_first_screen());
+}
+
 /// The files that were open last are offered too, and one click opens one of them.
 #[test]
 fn recent_files_are_offered() {

@@ -16,6 +16,7 @@ use crate::space::cameras::KeyCameras;
 use crate::space::projection::Axis;
 use crate::space::ribbon::Ribbon;
 use crate::space::scene::{LookKey, PathLines};
+use crate::space::seconds::Seconds;
 use crate::space::typed::Typed;
 use crate::state::space::solid::Solid;
 
@@ -215,11 +216,15 @@ pub(crate) struct PointerController {
     pub(crate) nudging: bool,
     /// A transform is at work; a step of the document is open.
     pub(crate) transform: Option<Transform>,
+    /// Where the first screen's path begins, while the second click is awaited.
+    pub(crate) begun: Option<DVec3>,
     /// The left button draws a line.
     pub(crate) drawing: Option<Drawing>,
     pub(crate) hover: Option<Handle>,
     /// The handle around several points that lies under the pointer.
     pub(crate) meant: Option<Kind>,
+    /// How the arrow or the square under the pointer would drag the current point.
+    pub(crate) arrow: Option<DragConstraint>,
     /// The pointer is in the movement window.
     pub(crate) over: bool,
     /// Where the last right click asks for a menu, and of what.
@@ -238,6 +243,9 @@ pub(crate) struct MovementWindow {
     pub(crate) pointer: PointerController,
     pub(crate) lines: PathLines,
     pub(crate) key_cameras: KeyCameras,
+    pub(crate) seconds: Seconds,
+    /// A file has been opened: its flight is brought into view.
+    pub(crate) opened: bool,
     pub(crate) ribbon: Ribbon,
     pub(crate) nodes: Nodes,
     /// The objects' faces, in the space and in the camera's picture.

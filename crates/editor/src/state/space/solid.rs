@@ -51,7 +51,8 @@ pub(crate) struct Eye {
     pub(crate) front: f64,
     /// What lies this much behind a face is on it: absolute, and as a share of its nearness.
     pub(crate) slack: [f64; 2],
-    pub(crate) light: DVec3,
+    /// From where the viewer's light comes, see [`crate::space::projection::lights`].
+    pub(crate) lights: [DVec3; 2],
     /// The picture, in points, and its pixels.
     pub(crate) rect: Rect,
     pub(crate) pixels_per_point: f64,

@@ -370,7 +370,7 @@ fn the_window_keeps_its_size_whatever_is_chosen() {
 fn its_buttons_are_called_as_those_of_other_windows() {
     for language in BOTH {
         let texts = language.texts();
-        let [here, there] = [texts.curve.ok, texts.space_window.ok];
-        assert_eq!((here, here), (there, texts.tools.ok));
+        let window = &texts.space_window;
+        assert_eq!([texts.curve.ok, texts.tools.ok], [window.ok, window.apply]);
     }
 }
