@@ -370,7 +370,7 @@ view\t''"
 complete -c vides -n "__fish_vides_using_subcommand picture" -l object -d 'Replaces the path\'s object: a mesh (.obj, .ply, .stl, .gltf, .glb) or the object of a .vid file' -r -F
 complete -c vides -n "__fish_vides_using_subcommand picture" -l node -d 'Only this object of the scene' -r
 complete -c vides -n "__fish_vides_using_subcommand picture" -l box -d 'A box instead of an object: two opposite corners' -r
-complete -c vides -n "__fish_vides_using_subcommand picture" -l limit -d 'Overrides a limit of the file, as in turning=90; turning=off removes it' -r
+complete -c vides -n "__fish_vides_using_subcommand picture" -l limit -d 'Overrides a limit of the file, as in turning=90, lengths in those of the path; turning=off removes it' -r
 complete -c vides -n "__fish_vides_using_subcommand picture" -s o -l output -d 'The output file; - is standard output' -r -F
 complete -c vides -n "__fish_vides_using_subcommand picture" -l trust -d 'Also reads meshes and buffers that an input file names outside its folder'
 complete -c vides -n "__fish_vides_using_subcommand picture" -s h -l help -d 'Print help'
@@ -384,7 +384,7 @@ complete -c vides -n "__fish_vides_using_subcommand frames" -s h -l help -d 'Pri
 complete -c vides -n "__fish_vides_using_subcommand retime" -l seconds -d 'How long; 0: as short as the limits allow; 0 to 1000000 [default: 0]' -r
 complete -c vides -n "__fish_vides_using_subcommand retime" -l first -d 'The first of the points; 1 to 100000 [default: 1]' -r
 complete -c vides -n "__fish_vides_using_subcommand retime" -l last -d 'The last of the points; 1 to 100000 [default: the last of the path]' -r
-complete -c vides -n "__fish_vides_using_subcommand retime" -l limit -d 'Overrides a limit of the file, as in turning=90; turning=off removes it' -r
+complete -c vides -n "__fish_vides_using_subcommand retime" -l limit -d 'Overrides a limit of the file, as in turning=90, lengths in those of the path; turning=off removes it' -r
 complete -c vides -n "__fish_vides_using_subcommand retime" -s o -l output -d 'The output file; - is standard output' -r -F
 complete -c vides -n "__fish_vides_using_subcommand retime" -l trust -d 'Also reads meshes and buffers that an input file names outside its folder'
 complete -c vides -n "__fish_vides_using_subcommand retime" -s h -l help -d 'Print help'
@@ -394,7 +394,7 @@ complete -c vides -n "__fish_vides_using_subcommand info" -s h -l help -d 'Print
 complete -c vides -n "__fish_vides_using_subcommand get" -l trust -d 'Also reads meshes and buffers that an input file names outside its folder'
 complete -c vides -n "__fish_vides_using_subcommand get" -s h -l help -d 'Print help'
 complete -c vides -n "__fish_vides_using_subcommand check" -l object -d 'Replaces the path\'s object: a mesh (.obj, .ply, .stl, .gltf, .glb) or the object of a .vid file' -r -F
-complete -c vides -n "__fish_vides_using_subcommand check" -l limit -d 'Overrides a limit of the file, as in turning=90; turning=off removes it' -r
+complete -c vides -n "__fish_vides_using_subcommand check" -l limit -d 'Overrides a limit of the file, as in turning=90, lengths in those of the path; turning=off removes it' -r
 complete -c vides -n "__fish_vides_using_subcommand check" -s o -l output -d 'The file that --fix writes' -r -F
 complete -c vides -n "__fish_vides_using_subcommand check" -l fix -d 'Applies fixes while they help, writes the path to --output, and reports what was fixed and what remains'
 complete -c vides -n "__fish_vides_using_subcommand check" -l json -d 'Prints the findings and notes as a JSON array'

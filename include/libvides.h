@@ -34,9 +34,8 @@
  * - Structs that begin with size may grow at their end in later versions. Set size to
  *   sizeof the struct before any call, even if the library fills in the rest. That of
  *   an earlier 1.x may be shorter; any other size fails with V_ERR_SIZE. v_..._init()
- *   sets it, and the defaults. Where there is also v_..._init_sized(), the first is a
- *   macro in C that passes the struct's size; the function, for other languages
- *   (ctypes, JNI, bindgen), fills in the struct of version 1.0.
+ *   sets it, and the defaults. v_editor_options_init() is a macro in C; the function, for
+ *   other languages (ctypes, JNI, bindgen), fills in the struct of version 1.0.
  * - Ownership. The library copies what it is given. It keeps only the pointers given
  *   to v_haupt(), and the callbacks and user pointers of v_editor_open(),
  *   v_register_interpolation() and v_set_progress(). You free the paths, scenes and
@@ -48,10 +47,9 @@
  * - Callbacks may call any function, except where its comment says otherwise.
  * - Threads. A window belongs to the thread that opened it. Every other function may
  *   be called from any thread; calls on the same path or scene are atomic. The library
- *   works on your thread. It starts one to resolve the name of a remote display, and
- *   one, in a program with Xt, to see whether windows are served; both block all
- *   signals, call none of your functions, and end. A call uses at most 128 KiB of your
- *   thread's stack.
+ *   starts a thread to resolve the name of a remote display, and one, in a program with
+ *   Xt, to see whether windows are served; both block all signals, call none of your
+ *   functions, and end. A call uses at most 128 KiB of your thread's stack.
  * - X server. If it is missing or goes away, its windows close, v_last_error()
  *   returns the reason, and your program continues.
  * - Counting. Indices count from 0, poses and frames from 1; in the names of properties
@@ -374,12 +372,7 @@ struct v_property {
 
 typedef struct v_property V_PROPERTY;
 
-
-/* ---- Types of 1994 ----------------------------------------------------------- */
-
-/**
- * A point or a vector in the cube from -1 to 1 in x, y and z, y up.
- */
+/** A point or a vector in the cube from -1 to 1 in x, y and z, y up. */
 struct v_punkt {
     float x;
     float y;
@@ -610,9 +603,8 @@ struct v_editor_options {
     int space_up;
     /**
      * called with the camera at the playhead whenever it has changed, at most 60 times
-     * a second, even if the window is not visible; reason is one of V_VIEW_.... The pose
-     * is valid until it returns. After a call of more than 30 ms the next one waits as
-     * long; the last pose always arrives
+     * a second, even if the window is not visible; reason is V_VIEW_.... The pose is valid
+     * until it returns. After a call of more than 30 ms the next one waits as long
      */
     void (*on_view)(V_EDITOR *editor,
                     const V_POSE *pose,
@@ -620,9 +612,8 @@ struct v_editor_options {
                     int reason,
                     void *user);
     /**
-     * called, like on_view, when the path has changed: after each step, undo and redo,
-     * not during a drag; steps within a sixtieth of a second are combined. A tool's
-     * preview before OK is no change, nor for on_view, on_frame and on_poses
+     * called when the path has changed: after each step, undo and redo, not during a
+     * drag or a tool's preview; steps within a sixtieth of a second are combined
      */
     void (*on_change)(V_EDITOR *editor, void *user);
     /**
@@ -634,12 +625,12 @@ struct v_editor_options {
     /**
      * called when the camera pane opens, changes its size in pixels, or closes (window
      * 0, sizes 0). Draw in it what the camera sees, again at each Expose: in the pane,
-     * which has the screen's own visual, or in a child window of any visual that you
-     * create there and that is kept at its size. A pane is never destroyed while the
-     * process lives: it is unmapped, a child is moved to the root window and unmapped,
-     * and then this is called; when the editor closes, after its window is gone and
-     * perhaps its handle freed. Not called when the thread ends. Without XFIXES or SHAPE
-     * there is no pane. NULL: the editor draws the picture itself
+     * which has the screen's visual, or in a child window of any visual that you create
+     * there and that is kept at its size. A pane is never destroyed while the process
+     * lives: it and its child, moved to the root window, are unmapped before this is
+     * called; when the editor closes, after its window is gone and perhaps its handle
+     * freed. Not called when the thread ends, nor without XFIXES or SHAPE. NULL: the
+     * editor draws the picture itself
      */
     void (*on_pane)(V_EDITOR *editor,
                     unsigned long window,
@@ -653,14 +644,10 @@ struct v_editor_options {
     /**
      * an X window of the display, of any depth, which the editor fills as its child;
      * 0: a top-level window. If it is destroyed, or the editor's window is moved to
-     * the root, the editor closes without on_close, and unsaved work is offered at the
-     * next start. V_ERR_ARGUMENT if it is not a window
+     * the root, the editor closes without on_close
      */
     unsigned long parent;
-    /**
-     * your window, above which window managers keep the editor; 0: none.
-     * V_ERR_ARGUMENT if it is not a window
-     */
+    /** your window, above which window managers keep the editor; 0: none */
     unsigned long transient_for;
     /**
      * name of the program: the first half of WM_CLASS, by which desktops group windows
@@ -673,22 +660,19 @@ struct v_editor_options {
      */
     int hand_over_saves;
     /**
-     * for programs that draw the scene themselves (v_scene_evaluate()): called with the
-     * scene's frame at the playhead and V_VIEW_... when that frame or the scene has
-     * changed, as often as on_view
+     * for programs that draw the scene themselves: called, like on_view, with the scene's
+     * frame at the playhead when that frame or the scene has changed
      */
     void (*on_frame)(V_EDITOR *editor, double frame, int reason, void *user);
     /**
-     * what your program's picture shows when the window opens. A new path begins with
-     * it and leads to the right, around what is in the middle of the picture; on_view
-     * is called only when the camera has changed. NULL: a new path looks at the object,
-     * and on_view is called at once
+     * what your program's picture shows when the window opens: a new path begins with it
+     * and leads to the right, around the middle of the picture. NULL: a new path looks at
+     * the object, and on_view is called at once
      */
     const V_POSE *view;
     /**
-     * called once, after the window is gone; reason is one of V_GONE_.... You may free
-     * the handle here; any other use of it fails with V_ERR_CLOSED. Not called when
-     * v_editor_close() closes the window or its thread ends
+     * called once, after the window is gone; reason is V_GONE_.... You may free the
+     * handle here. Not called when v_editor_close() closes the window or its thread ends
      */
     void (*on_gone)(V_EDITOR *editor, int reason, void *user);
 };
@@ -781,8 +765,7 @@ int v_path_new(V_PATH **path);
 int v_path_clone(const V_PATH *path, V_PATH **copy);
 
 /**
- * Frees a path. NULL is ignored. A call that uses it in another thread completes
- * normally.
+ * Frees a path. NULL is ignored. A call that uses it in another thread completes.
  */
 void v_path_free(V_PATH *path);
 
@@ -801,7 +784,7 @@ int v_path_load_from_memory(const char *text, size_t size, V_PATH **path);
 
 /**
  * Saves a path to a .vid file, which is replaced atomically and is on the disk when
- * the call returns V_OK. Symbolic links are followed and permissions kept.
+ * the call returns. Symbolic links are followed and permissions kept.
  * V_ERR_IO.
  */
 int v_path_save(const V_PATH *path, const char *file);
@@ -812,14 +795,14 @@ int v_path_save_to_memory(const V_PATH *path, char *text, size_t capacity,
 
 /**
  * Sets the object shown with a path; NULL: none. The window draws its lines and the
- * edges of its triangles; beyond 1,000,000 points of lines, only points where they end
- * or bend. v_path_check() uses the triangles.
+ * edges of its triangles; beyond 1,000,000 points of lines, only points where they
+ * end or bend. v_path_check() uses the triangles.
  */
 int v_path_set_object(V_PATH *path, const V_MESH *object);
 
 /**
- * Gets the object shown with a path, 0 points without one. The arrays are valid until
- * the same thread's next call of this function or its end.
+ * Gets the object shown with a path, 0 points without one. The arrays are valid
+ * until the same thread's next call of this function.
  */
 int v_path_get_object(const V_PATH *path, V_MESH *mesh);
 
@@ -943,9 +926,9 @@ int v_path_change_up(V_PATH *path, int up);
 
 /**
  * Makes an orientation look like the camera of a pose, for a path with this up axis
- * (V_UP_Y, V_UP_Z): sets a relative target, the pose's vpn, and roll and zoom.
- * Everything else in *orientation is unchanged: call v_orientation_init() before. vpn
- * and vup have any length but 0 and are not parallel.
+ * (V_UP_Y, V_UP_Z): sets a relative target, the pose's vpn, and roll and zoom. The
+ * rest of *orientation is unchanged: call v_orientation_init() before. vpn and vup
+ * have any length but 0 and are not parallel.
  */
 int v_orientation_from_pose(const V_POSE *pose, int up, V_ORIENTATION *orientation);
 
@@ -1057,10 +1040,10 @@ int v_path_get_tangents(const V_PATH *path, int at, double before[3],
 /**
  * Inserts a point on the curve where the camera is at a frame, without changing the
  * curve, any pose or the number of frames. It gets the nearest whole frame within
- * the section; a section of one frame becomes two, split where you ask. Neighbours
- * get custom tangents, angular velocities, slopes of zoom and roll, and a part of
- * the old speed profile; such tangents are removed when their point or a neighbour
- * moves alone, unless you set them. *at receives the index.
+ * the section; a section of one frame becomes two. Neighbours get custom tangents,
+ * angular velocities, slopes of zoom and roll, and a part of the old speed profile;
+ * such tangents are removed when their point or a neighbour moves alone, unless you
+ * set them. *at receives the index.
  *
  * frame  not at a key, not in a pan, not with orientation_mode "barry-goldman"
  */
@@ -1077,8 +1060,8 @@ int v_path_insert_on_curve(V_PATH *path, double frame, int *at);
 int v_path_section_count(const V_PATH *path, int *count);
 
 /**
- * Gets the point and orientation with which a section begins, its first frame, and its
- * number of frames without a hold at its end; 0 if nothing changes in it.
+ * Gets the point and orientation with which a section begins, its first frame, and
+ * its number of frames without a hold at its end.
  */
 int v_path_section_info(const V_PATH *path, int section, int *point,
                         int *orientation, size_t *first_frame, size_t *frames);
@@ -1112,8 +1095,7 @@ int v_path_poses_at(const V_PATH *path, const double *frames, size_t count,
 /**
  * Makes a list of all poses, see V_KAMERAPAR. Set the number of first before, to -1
  * if there is no data yet. A list that VIDES made there before is freed when the new
- * one is complete; any other is not freed. No other thread may use the list
- * meanwhile.
+ * one is complete. No other thread may use the list meanwhile.
  */
 int v_path_to_list(const V_PATH *path, V_KAMERAPAR *first);
 
@@ -1121,7 +1103,7 @@ int v_path_to_list(const V_PATH *path, V_KAMERAPAR *first);
  * Writes all poses to a text file, replaced atomically, one line each: VRP, VPN, VUP
  * (x, y and z each) and zoom, as C prints them by "%3.4f", separated by one space.
  * The decimal sign is a point; minus zero is written as zero. Zoom is the path's, 1
- * to 2000 with its fraction: only the list's int ends at 100.
+ * to 2000: only the list's int ends at 100.
  * V_ERR_IO.
  */
 int v_path_write_ascii(const V_PATH *path, const char *file);
@@ -1141,8 +1123,7 @@ int v_path_frame_at_seconds(const V_PATH *path, double seconds, double *frame);
 int v_path_seconds_at_frame(const V_PATH *path, double frame, double *seconds);
 
 /**
- * Gets the motion of the camera at a frame. At a key it is the motion after the key;
- * at the last frame, before it.
+ * Gets the motion of the camera at a frame; at a key, that after the key.
  */
 int v_path_motion(const V_PATH *path, double frame, V_MOTION *motion);
 
@@ -1204,8 +1185,7 @@ int v_scene_tool(V_SCENE *scene, int node, const char *tool, const char *options
                  const V_MESH *object);
 
 /**
- * Gets a number that the calling thread's last tool or v_path_fit_poses() reported, by
- * the name given there.
+ * Gets a number that the calling thread's last tool or v_path_fit_poses() reported.
  * V_ERR_ARGUMENT (no such number).
  */
 int v_last_number(const char *name, double *value);
@@ -1242,8 +1222,8 @@ int v_path_insert_path(V_PATH *path, int at, const V_PATH *block, int fit);
 /**
  * Makes the weighted sum of paths, point by point: positions, curve, targets, roll,
  * zoom and speeds; also fixed frames (rounded), angular velocities and slopes that
- * all have. Paths with fewer points are first resampled by length. Everything else
- * comes from the path with the greatest weight. The count weights have the sum 1.
+ * all have. Paths with fewer points are first resampled by length. The rest comes
+ * from the path with the greatest weight. The count weights have the sum 1.
  */
 int v_path_blend(V_PATH *const *paths, const double *weights, size_t count,
                  V_PATH **blend);
@@ -1251,7 +1231,7 @@ int v_path_blend(V_PATH *const *paths, const double *weights, size_t count,
 /**
  * Fits a path of few points to recorded poses: each position within tolerance, each
  * view, up and field of view within angle degrees, at its time. Noise below that is
- * removed. Poses that jerk between whole frames, where no points are, may be missed.
+ * removed. Poses that jerk between whole frames may be missed.
  *
  * seconds  when each pose was taken, in order; NULL: one per frame. Of equal times
  *     the first counts. Times beyond 1e11 count nanoseconds or microseconds
@@ -1260,7 +1240,8 @@ int v_path_blend(V_PATH *const *paths, const double *weights, size_t count,
  *     diagonal of the positions); angle (0.5); points, at most that many, from which
  *     the tolerance follows; robust=yes leaves out outliers, poses farther than the
  *     tolerance from what their neighbours suggest; up (y or z); space, its centre
- *     and half size (the smallest cube around the positions, enlarged by a tenth)
+ *     and half its edge (the smallest cube around the positions, enlarged by a
+ *     tenth)
  *
  * v_last_warning() returns points, deviations, holds, gaps, cuts, outliers, and what
  * helps against many points; v_last_number() "tolerance", "left_out" (poses).
@@ -1272,10 +1253,9 @@ int v_path_fit_poses(const V_POSE *poses, const double *seconds, size_t count,
 
 /**
  * Finds what will look wrong: jerks, flips, collisions. Writes one finding per kind
- * and run of frames to your array, in their order. docs/reference/tools.md describes
- * the kinds. In parentheses their default limits, for a space of half_size 1: those of
- * lengths are relative to it. v_path_set_number() sets the limit of one as "check.turning"
- * and so on, in lengths of your world; it is saved.
+ * and run of frames to your array, in their order. In parentheses the default
+ * limits, for a space of half_size 1; those of lengths are relative to it. The
+ * property "check.turning" and so on is the limit, in lengths of your world.
  *
  * "space"         outside the space (0)
  * "cusp"          curve or speed nearly stop (0.02 of the mean)
@@ -1299,13 +1279,12 @@ int v_path_fit_poses(const V_POSE *poses, const double *seconds, size_t count,
  * "backwards"     distance back between points that lead on (0.001)
  *
  * A hold, or a turn on the spot, between sections without an ease counts as a
- * "speed-jump", an "acceleration" or a "turning-acceleration" only if that limit is not
- * the default.
+ * "speed-jump", an "acceleration" or a "turning-acceleration" only if that limit is
+ * not the default.
  *
- * object  the obstacle, in the coordinates of the path; NULL: the path's own, with its
- *     faces, if it has one
- * v_last_warning() returns notes: that the camera is always inside the object,
- * and what was ignored (moving objects, the motion of the camera's parent).
+ * object  in the coordinates of the path; NULL: the path's own, if it has one
+ * v_last_warning() returns notes: that the camera is always inside the object, and
+ * what was ignored (moving objects, the motion of the camera's parent).
  * V_ERR_ARGUMENT (an object without geometry), V_ERR_REFUSED.
  */
 int v_path_check(const V_PATH *path, const V_MESH *object, V_FINDING *findings,
@@ -1329,8 +1308,8 @@ int v_set_progress(int (*progress)(double share, void *user), void *user);
 
 /**
  * Fills in a node of this kind at the origin: visible, scale 1, rotation 1 0 0 0, no
- * parent, no aim, zoom 24, white, intensity 1, a cone of 20 and 30 degrees, planes at
- * 0.01 and 1000. An unknown kind is refused only where the node is used.
+ * parent, no aim, zoom 24, white, intensity 1, a cone of 20 and 30 degrees, planes
+ * at 0.01 and 1000.
  */
 void v_node_init(V_NODE *node, int kind);
 
@@ -1345,8 +1324,7 @@ int v_scene_new(V_SCENE **scene);
  *
  * An object is left empty if its mesh file is missing, malformed, or outside the
  * folder of the .vid file once links are followed (v_scene_load_geometry() reads it
- * from anywhere); one that has changed is read as it is. v_last_warning() reports
- * this.
+ * from anywhere); v_last_warning() reports this, and a mesh that has changed.
  * V_ERR_IO, V_ERR_FORMAT.
  */
 int v_scene_load(const char *file, V_SCENE **scene);
@@ -1370,10 +1348,7 @@ int v_scene_save_to_memory(const V_SCENE *scene, char *text, size_t capacity,
  */
 int v_scene_save(const V_SCENE *scene, const char *file);
 
-/**
- * Makes an independent copy of a scene. Both share geometry until one of them changes
- * it.
- */
+/** Makes an independent copy of a scene, like v_path_clone(). */
 int v_scene_clone(const V_SCENE *scene, V_SCENE **copy);
 
 /** Frees a scene, like v_path_free(). */
@@ -1393,7 +1368,7 @@ int v_scene_add_node(V_SCENE *scene, const char *name, const V_NODE *values,
 /**
  * Removes a node with all its descendants. The numbers of later nodes decrease;
  * nodes that aimed at a removed one no longer aim. Removing many in a row costs as
- * much as one, even if you read nodes in between.
+ * much as one.
  */
 int v_scene_remove_node(V_SCENE *scene, int node);
 
@@ -1416,7 +1391,7 @@ int v_scene_get_node(const V_SCENE *scene, int node, V_NODE *values);
  * Sets the values of a node; its kind does not change. If the parent changes,
  * position, rotation and scale are relative to the old one: the node keeps its place
  * in the world at the scene's first frame. A node that moves can only change to a
- * parent in the same place as the old one.
+ * parent in the same place.
  * V_ERR_ARGUMENT (such as a cycle).
  */
 int v_scene_set_node(V_SCENE *scene, int node, const V_NODE *values);
@@ -1424,9 +1399,8 @@ int v_scene_set_node(V_SCENE *scene, int node, const V_NODE *values);
 /**
  * Makes a node follow a path; NULL: none. Pose n is shown at the scene's frame
  * start_frame + n - 1. The path moves position, rotation and zoom in the parent's
- * coordinates; a node with a track for one of them cannot have a path.
- *
- * after  V_AFTER_HOLD, V_AFTER_REPEAT or V_AFTER_PINGPONG; before the path, too
+ * coordinates; a node with a track for one of them cannot have a path. after is
+ * V_AFTER_HOLD, V_AFTER_REPEAT or V_AFTER_PINGPONG.
  */
 int v_scene_set_path(V_SCENE *scene, int node, const V_PATH *path,
                      double start_frame, int after);
@@ -1444,8 +1418,8 @@ int v_scene_get_path(const V_SCENE *scene, int node, V_PATH **path,
 int v_scene_set_marker(V_SCENE *scene, const char *name, double frame);
 
 /**
- * Pins a point of a node's path to a marker; NULL removes the pin. Pins hold when the
- * path changes, and are saved.
+ * Pins a point of a node's path to a marker; NULL removes the pin. Pins hold when
+ * the path changes.
  */
 int v_scene_pin(V_SCENE *scene, int node, int point, const char *marker);
 
@@ -1504,11 +1478,8 @@ int v_scene_get_camera(const V_SCENE *scene, int *node);
 int v_scene_set_range(V_SCENE *scene, double first, double last);
 
 /**
- * Sets the parent of a node; -1: no parent.
- *
- * keep  V_KEEP_PLACE: its place in the world at the scene's first frame, as in
- *     v_scene_set_node(). V_KEEP_NUMBERS: its values, path and tracks; it moves with
- *     its new parent
+ * Sets the parent of a node; -1: no parent. keep is V_KEEP_PLACE (its place in the
+ * world at the scene's first frame) or V_KEEP_NUMBERS (its values, path and tracks).
  * V_ERR_ARGUMENT (such as a cycle).
  */
 int v_scene_set_parent(V_SCENE *scene, int node, int parent, int keep);
@@ -1550,10 +1521,10 @@ int v_scene_get_track(const V_SCENE *scene, int node, const char *channel,
                       double *values, double *shape, size_t *keys, int *after);
 
 /**
- * Registers a function as the interpolation "host:NAME" for all scenes of the process,
- * replacing an older one; NULL removes it. name is NAME, with or without "host:". Any
- * thread that evaluates a scene calls it. It must not use scenes, and no longjmp() and
- * no exception may leave it.
+ * Registers a function as the interpolation "host:NAME" for all scenes of the
+ * process, replacing an older one; NULL removes it. Any thread that evaluates a
+ * scene calls it. It must not use scenes, and no longjmp() and no exception may
+ * leave it.
  */
 int v_register_interpolation(const char *name, V_INTERPOLATE function, void *user);
 
@@ -1569,8 +1540,8 @@ int v_scene_set_geometry(V_SCENE *scene, int node, const V_MESH *mesh);
 
 /**
  * Reads the geometry of an object from an OBJ, PLY, STL or glTF file, by its
- * extension. A saved .vid file refers to that file instead of containing the points,
- * by a relative name if it is in the same folder or below.
+ * extension. A saved .vid file refers to that file, by a relative name if it is in
+ * the same folder or below.
  * V_ERR_IO, V_ERR_FORMAT.
  */
 int v_scene_load_geometry(V_SCENE *scene, int node, const char *file);
@@ -1768,8 +1739,7 @@ void v_editor_options_init(V_EDITOR_OPTIONS *options);
 
 /**
  * Like v_editor_options_init(), for a struct of size bytes; size becomes what was
- * filled in. A struct shorter than in version 1.0 is unchanged, and v_last_error()
- * returns the reason.
+ * filled in. A struct shorter than in version 1.0 is unchanged.
  */
 void v_editor_options_init_sized(V_EDITOR_OPTIONS *options, size_t size);
 
@@ -1777,10 +1747,10 @@ void v_editor_options_init_sized(V_EDITOR_OPTIONS *options, size_t size);
  * Opens an editor window and returns at once; see v_fd() for how your program serves
  * it. options NULL: the defaults. Call it from the thread that runs the event loop.
  *
- * The callbacks run there, also while your program shows a modal dialog, whose loop
- * serves the window too. No longjmp() and no exception may leave them; an exception
- * that does ends the program, after a line on standard error that names the callback.
- * When the thread ends, its window is closed, with a line on standard error.
+ * The callbacks run there, also while your program shows a modal dialog. No
+ * longjmp() and no exception may leave them; an exception that does ends the
+ * program, after a line on standard error that names the callback. When the thread
+ * ends, its window is closed, with a line on standard error.
  * V_ERR_HANDLE (of path), V_ERR_IO and V_ERR_FORMAT (of file), V_ERR_DISPLAY.
  */
 int v_editor_open(const V_EDITOR_OPTIONS *options, V_EDITOR **editor);
@@ -1803,7 +1773,7 @@ int v_editor_get_path(const V_EDITOR *editor, V_PATH **path);
  * Replaces the path in a window, in one step that the user can undo, with its space,
  * title, comment and so on, and its object if it has one. Base speeds given when the
  * window was opened are kept. In a scene it replaces the path of the camera shown,
- * which is then edited. The playhead stays at its frame if the path has it.
+ * which is then edited. The playhead stays if it can.
  * V_ERR_ARGUMENT (no camera, or it follows no path).
  */
 int v_editor_set_path(V_EDITOR *editor, const V_PATH *path);
@@ -1817,7 +1787,7 @@ int v_editor_set_path(V_EDITOR *editor, const V_PATH *path);
  * point; NULL hides it. vpn and vup have any length but 0.
  *
  * Changes that a callback makes with the functions of this section or with
- * v_editor_set_path() do not cause further callbacks.
+ * v_editor_set_path() cause no further callbacks.
  */
 int v_editor_set_view(V_EDITOR *editor, const V_POSE *pose);
 
@@ -1828,15 +1798,14 @@ int v_editor_set_view(V_EDITOR *editor, const V_POSE *pose);
 int v_editor_get_frame(const V_EDITOR *editor, double *frame);
 
 /**
- * Moves the playhead to a frame; the orientation that the camera comes from becomes
- * current. In a scene it is a frame of the scene, within v_scene_frame_range(),
- * whatever is selected.
+ * Moves the playhead to a frame; in a scene one of the scene, within
+ * v_scene_frame_range(). The orientation that the camera comes from becomes current.
  */
 int v_editor_set_frame(V_EDITOR *editor, double frame);
 
 /**
  * Plays the flight from the playhead, or from the beginning if that is at the end,
- * when the window is next served, even if it is not visible; 0 stops.
+ * even if the window is not visible; 0 stops.
  */
 int v_editor_play(V_EDITOR *editor, int play);
 
@@ -1846,14 +1815,12 @@ int v_editor_play(V_EDITOR *editor, int play);
  */
 int v_editor_select(V_EDITOR *editor, int point, int orientation);
 
-/**
- * Replaces the object shown, in one step that the user can undo; NULL removes it.
- */
+/** Replaces the object shown, in one step; NULL removes it. */
 int v_editor_set_object(V_EDITOR *editor, const V_MESH *object);
 
 /**
- * Sets the text after "VIDES" in the window's title, one line (control characters
- * become spaces); NULL: the name of the file.
+ * Sets the text after "VIDES" in the window's title, one line; NULL: the name of the
+ * file.
  */
 int v_editor_set_title(V_EDITOR *editor, const char *title);
 
@@ -1861,15 +1828,14 @@ int v_editor_set_title(V_EDITOR *editor, const char *title);
 int v_editor_is_modified(const V_EDITOR *editor, int *modified);
 
 /**
- * Marks the contents of a window as saved, after your program has kept them: until the
- * next change they are not offered at the next start.
+ * Marks the contents of a window as saved, after your program has kept them.
  */
 int v_editor_mark_saved(V_EDITOR *editor);
 
 /**
  * Saves the contents of a window to a .vid file, which it edits from then on. NULL:
- * its own file, unless another program has changed it.
- * V_ERR_ARGUMENT (no file yet, or changed by others), V_ERR_IO.
+ * its own file.
+ * V_ERR_ARGUMENT (no file yet, or changed by another program), V_ERR_IO.
  */
 int v_editor_save(V_EDITOR *editor, const char *file);
 
@@ -1909,14 +1875,13 @@ int v_editor_get_scene(const V_EDITOR *editor, V_SCENE **scene);
  * If the new scene has a node with the name of the edited one and a path, that path
  * is edited; otherwise that of the camera shown, if it has one, with the base speeds
  * given when the window was opened. A scene with nothing but one camera on a path is
- * treated as that path. A drag in progress ends. The playhead stays at its frame if
- * the scene has it.
+ * treated as that path. A drag in progress ends. The playhead stays
+ * if it can.
  */
 int v_editor_set_scene(V_EDITOR *editor, const V_SCENE *scene);
 
 /**
- * Undoes the last step of a window, like Ctrl-Z. It keeps the last 10,000 steps, and
- * at most 256 MiB of what they changed.
+ * Undoes the last step of a window, like Ctrl-Z: up to 10,000 steps, and 256 MiB.
  * V_ERR_ARGUMENT (nothing to undo).
  */
 int v_editor_undo(V_EDITOR *editor);
@@ -1928,9 +1893,8 @@ int v_editor_undo(V_EDITOR *editor);
 int v_editor_redo(V_EDITOR *editor);
 
 /**
- * Begins a group of changes in a window, yours and the user's, that the user undoes as
- * one step. It replaces a group begun before; loading another document in the window
- * ends it.
+ * Begins a group of changes in a window, yours and the user's, that the user undoes
+ * as one step. It replaces a group begun before; loading another document ends it.
  */
 int v_editor_begin_step(V_EDITOR *editor);
 
@@ -1971,23 +1935,22 @@ int v_timeout(void);
 
 /**
  * Does all pending work for the windows without waiting; callbacks run inside it.
- * Returns the number of open windows; if one was destroyed, or its X server went away,
- * v_last_error() returns the reason. Inside a callback it serves all windows except
- * those whose callbacks are running.
+ * Returns the number of open windows; if one was destroyed, or its X server went
+ * away, v_last_error() returns the reason. Inside a callback it serves only windows
+ * whose callbacks are not running.
  */
 int v_dispatch(void);
 
 /**
- * Serves the windows until the last one is closed, sleeping in between. Returns at
- * once without windows.
+ * Serves the windows until the last one is closed. Returns at once without windows.
  * V_ERR_BUSY (inside a callback), V_ERR_DISPLAY (a window was destroyed or its X
  * server went away; after all have closed), V_ERR_LIMIT (no descriptors).
  */
 int v_main_loop(void);
 
 /**
- * Lets an XtAppContext run by this thread serve its windows. Needed only for one
- * created after a window was opened, since opening a window finds all that exist.
+ * Lets an XtAppContext run by this thread serve its windows; needed only for one
+ * created after a window was opened.
  * V_ERR_ARGUMENT (no Xt, or no such context).
  */
 int v_set_app_context(void *app_context);
@@ -1998,28 +1961,29 @@ int v_set_app_context(void *app_context);
 
 /**
  * Opens an editor window and returns at once. Each call opens another, independent
- * window, on the display that the program's Xt opened last; without Xt, on DISPLAY. A
- * program with an Xt or Motif main loop needs nothing more; others see v_fd() and
- * v_main_loop(). Work not handed over or saved when the program ends is offered at its
- * next start; for your own Quit see v_editors_close().
+ * window, on the display that the program's Xt opened last; without Xt, on DISPLAY.
+ * A program with an Xt or Motif main loop needs nothing more; others see v_fd() and
+ * v_main_loop(). Unsaved work is offered at the program's next start; for your own
+ * Quit see v_editors_close().
  *
- * move_speed, orient_speed, zoom_speed, winkel_speed  poses at speed 50 for moving by
- *     1, turning by 180 degrees, zooming from 1 to 100, rolling by 90 degrees; 100
- *     replaces one that is not finite and > 0. Those of a loaded file are ignored
- * interpol_liste  first element of the list that receives the poses, see V_KAMERAPAR,
- *     or NULL. It must outlive the window; several windows may share it. Its number is
- *     read at each hand-over: < 0 means no data (any more)
+ * move_speed, orient_speed, zoom_speed, winkel_speed  poses at speed 50 for moving
+ *     by 1, turning by 180 degrees, zooming from 1 to 100, rolling by 90 degrees;
+ *     100 replaces one that is not finite and > 0. Those of a loaded file are
+ *     ignored
+ * interpol_liste  first element of the list that receives the poses, see
+ *     V_KAMERAPAR, or NULL. It must outlive the window; several windows may share
+ *     it. Its number is read at each hand-over: < 0 means no data (any more)
  * anzahl_objekt, objekt  points of an object to show, at which the new path looks;
  *     NULL or a number <= 0: none
  * rueck  called when the user hands over poses, with the list and its count; may be
- *     NULL. The list is unchanged until the next hand-over. If interpol_liste is NULL,
- *     the elements are valid until rueck returns
+ *     NULL. The list is unchanged until the next hand-over; if interpol_liste is
+ *     NULL, until rueck returns
  * ende  called before the user closes the window; 0 keeps it open; may be NULL
  *
  * Call it from the thread that runs the event loop; rueck and ende run there, by the
- * rules of v_editor_open(). Wrong arguments, a window that cannot be opened, or one
- * that closes because its thread ends are reported in a line on standard error that
- * begins with "vides:"; the first two also by v_last_error(), and in the window.
+ * rules of v_editor_open(). Errors, and a window that closes because its thread
+ * ends, are reported in a line on standard error that begins with "vides:", and by
+ * v_last_error().
  */
 void v_haupt(float move_speed, float orient_speed, float zoom_speed,
              float winkel_speed, V_KAMERAPAR *interpol_liste, int anzahl_objekt,
@@ -2029,8 +1993,8 @@ void v_haupt(float move_speed, float orient_speed, float zoom_speed,
 /**
  * Frees all elements of a list except the first, which is yours, and sets its number
  * to -1 (no data). A list that VIDES did not make, or whose links and numbers were
- * changed, stays unchanged; v_last_error() returns the reason. NULL and lists without
- * data (number < 0) are ignored. No other thread may use the list meanwhile.
+ * changed, stays unchanged; v_last_error() returns the reason. NULL and lists with
+ * number < 0 are ignored. No other thread may use the list meanwhile.
  */
 void v_free_liste(V_KAMERAPAR *first);
 
@@ -2042,15 +2006,15 @@ void v_free_liste(V_KAMERAPAR *first);
  * Gets the spherical linear interpolation from a (t = 0) to b (t = 1) by the shorter
  * arc, at any finite t.
  *
- * Quaternions are w, x, y, z. Arguments are normalized; one that is zero or not finite
- * is V_ERR_ARGUMENT. The identity is a camera that looks along (0, 0, 1) with (0, 1,
- * 0) up. Results may be the same arrays as arguments.
+ * Quaternions are w, x, y, z, not zero; they are normalized. The identity is a
+ * camera that looks along (0, 0, 1) with (0, 1, 0) up. Results may be the same
+ * arrays as arguments.
  */
 int v_quat_slerp(const double a[4], const double b[4], double t, double q[4]);
 
 /**
- * Gets the quaternion of a camera that looks along vpn with vup up. Both may have any
- * length but 0, and must not be parallel.
+ * Gets the quaternion of a camera that looks along vpn with vup up, of any length
+ * but 0, not parallel.
  */
 int v_quat_from_view(const double vpn[3], const double vup[3], double q[4]);
 
@@ -2111,8 +2075,7 @@ int v_view_matrix(const V_VIEW *view, double m[16]);
 
 /**
  * Gets the perspective view of a camera in a pose. aspect is the picture's width
- * divided by its height; front and back are the planes' distances from the camera, 0 <
- * front < back.
+ * divided by its height; 0 < front < back are the planes' distances from the camera.
  */
 int v_view_from_pose(const V_POSE *pose, double aspect, double front, double back,
                      V_VIEW *view);
@@ -2143,15 +2106,14 @@ double v_zoom_from_fov(double fov, double height);
 int v_pose_matrix(const V_POSE *pose, int convention, int to_world, double m[16]);
 
 /**
- * Gets the pose of a camera from its matrix, the inverse of v_pose_matrix(), for
- * on_capture and v_editor_set_view(). For a matrix of
- * glGetDoublev(GL_MODELVIEW_MATRIX), read before the object's own transformations, use
- * V_AXES_OPENGL and to_world 0. A scale common to all axes is removed, and the axes
- * are made perpendicular.
+ * Gets the pose of a camera from its matrix, the inverse of v_pose_matrix(). For a
+ * matrix of glGetDoublev(GL_MODELVIEW_MATRIX), read before the object's own
+ * transformations, use V_AXES_OPENGL and to_world 0. A scale common to all axes is
+ * removed, and the axes are made perpendicular.
  *
  * m  its last row is 0, 0, 0, 1
- * zoom  zoom of the pose, finite and > 0; from a vertical angle:
- *     v_zoom_from_fov(angle, 24)
+ * zoom  of the pose, finite and > 0; from a vertical angle: v_zoom_from_fov(angle,
+ *     24)
  * V_ERR_ARGUMENT (a matrix that mirrors, shears, projects or is not finite).
  */
 int v_pose_from_matrix(const double m[16], int convention, int to_world,
@@ -2182,9 +2144,8 @@ int v_pose_from_euler(const double vrp[3], const double angles[3], int conventio
 
 /**
  * Gets the projection matrix of a camera, for its zoom, to be applied after the view
- * matrix of V_AXES_OPENGL, which looks along -z whatever the convention: 16
- * numbers, column by column, for column vectors (row by row for row vectors, as
- * Direct3D uses them).
+ * matrix of V_AXES_OPENGL: 16 numbers, column by column, for column vectors (row by
+ * row for row vectors, as Direct3D uses them).
  *
  * aspect  width of the picture divided by its height
  * near_plane  distance of the front plane, > 0

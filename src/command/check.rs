@@ -4,7 +4,8 @@ use std::fmt::Write;
 use std::path::PathBuf;
 
 use clap::Args;
-use vides::document::{Document, Edit, Note, may_replace};
+use vides::document::{Document, Edit, Note, limit_scale, may_replace};
+use vides::path::Space;
 use vides::tools::check::{Finding, FindingKind, Limits, OFF};
 
 use super::failure::{Failure, complain, json as json_text, lines, print};
@@ -37,15 +38,18 @@ pub(super) struct Arguments {
 /// Limits instead of those of the file.
 #[derive(Args)]
 pub(super) struct LimitOption {
-    /// Overrides a limit of the file, as in turning=90; turning=off removes it
+    /// Overrides a limit of the file, as in turning=90, lengths in those of the path;
+    /// turning=off removes it
     #[arg(long, value_name = "KIND=LIMIT", value_parser = limit)]
     limit: Vec<(FindingKind, f64)>,
 }
 
 impl LimitOption {
-    pub(super) fn over(&self, mut limits: Limits) -> Result<Limits, Failure> {
+    /// The limits of a document, with these instead of its own.
+    pub(super) fn over(&self, document: &Document) -> Result<Limits, Failure> {
+        let mut limits = document.info().limits;
         for (kind, limit) in &self.limit {
-            limits.set(*kind, *limit)?;
+            limits.set(*kind, limit / limit_scale(*kind, document.path().space))?;
         }
         Ok(limits)
     }
@@ -72,7 +76,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let mut document = input::load_shown(&arguments.file)?.without_history();
     let object = arguments.object.mesh()?;
     let mut info = document.info().clone();
-    info.limits = arguments.limits.over(info.limits)?;
+    info.limits = arguments.limits.over(&document)?;
     document.apply(Edit::SetInfo(Box::new(info)))?;
     let at_file = |error: vides::Error| Failure::from(error.at(input::name(&arguments.file)));
     let clearance = document.clearance(object.as_ref()).map_err(at_file)?;
@@ -90,7 +94,13 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         ),
         None => document.check_against(clearance.as_ref(), &mut progress("frames")),
     };
-    let found = found.map_err(at_file)?;
+    let in_lengths = |finding| in_lengths(finding, document.path().space);
+    let found: Vec<_> = found
+        .map_err(at_file)?
+        .into_iter()
+        .map(in_lengths)
+        .collect();
+    let fixed: Vec<_> = fixed.into_iter().map(in_lengths).collect();
     let notes = document
         .notes(clearance.as_ref(), object.is_none())
         .map_err(at_file)?;
@@ -107,8 +117,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         let told = fixed.iter().map(|finding| {
             let frames = frames(&document, finding);
             format!(
-                "Fixed {}, frames {frames}: {finding}\n",
-                finding.kind.name()
+                "Fixed {}, frames {frames}: {}\n",
+                finding.kind.name(),
+                said(finding)
             )
         });
         lines(&(told.collect::<String>() + &text(&document, &found, &notes)))
@@ -133,7 +144,7 @@ fn text(document: &Document, found: &[Finding], notes: &[Note]) -> String {
             table.row(vec![
                 frames(document, finding),
                 finding.kind.name().to_owned(),
-                finding.to_string(),
+                said(finding),
             ]);
         }
         // Writing into a string cannot fail.
@@ -176,6 +187,23 @@ fn worst(found: &[Finding]) -> Vec<&Finding> {
     listed.into_iter().map(|at| &found[at]).collect()
 }
 
+/// A finding with its lengths in those of the path.
+fn in_lengths(finding: Finding, space: Space) -> Finding {
+    let scale = limit_scale(finding.kind, space);
+    Finding {
+        value: finding.value * scale,
+        limit: finding.limit * scale,
+        ..finding
+    }
+}
+
+/// Its sentence.
+fn said(finding: &Finding) -> String {
+    let sentence = finding.kind.sentence().replace(" half sizes/", " lengths/");
+    let number = |value: f64, decimals: usize| format!("{value:.decimals$}");
+    finding.say(&sentence.replace(" half sizes", ""), number)
+}
+
 /// The frames of a finding as people count them.
 fn numbers(document: &Document, finding: &Finding) -> [f64; 2] {
     [finding.first_frame, finding.last_frame].map(|frame| document.number_of_frame(frame))
@@ -198,12 +226,13 @@ fn json(document: &Document, fixed: &[Finding], found: &[Finding], notes: &[Note
         // Names, sentences and finite numbers need no quoting.
         format!(
             "  {{\"kind\": \"{}\", \"first_frame\": {first:?}, \"last_frame\": {last:?}, \"point\": {}, \
-             \"orientation\": {}, \"value\": {:?}, \"limit\": {:?}, \"text\": \"{finding}\"{fixed}}}",
+             \"orientation\": {}, \"value\": {:?}, \"limit\": {:?}, \"text\": \"{}\"{fixed}}}",
             finding.kind.name(),
             finding.point + 1,
             finding.orientation + 1,
             finding.value,
-            finding.limit
+            finding.limit,
+            said(finding)
         )
     });
     let notes = notes.iter().map(|note| {

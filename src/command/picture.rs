@@ -42,7 +42,7 @@ pub(super) fn run(call: &Call) -> Result<(), Failure> {
         numbers.one("margin"),
         What::ALL[numbers.one("what") as usize],
     );
-    let limits = options.limits.over(document.info().limits)?;
+    let limits = options.limits.over(&document)?;
     let made = document.framed(&object, how, limits, &mut progress("places"));
     let made = made.map_err(at_file)?;
     let report = format!(

@@ -13,7 +13,7 @@ pub(super) fn run(call: &Call) -> Result<(), Failure> {
     let document = input::load(call.file())?;
     let numbers = Numbers::new(&call.tool, &call.given, &document)?;
     let request = Request {
-        limits: call.more::<Options>()?.over(document.info().limits)?,
+        limits: call.more::<Options>()?.over(&document)?,
         fps: document.info().fps,
         points: Some([numbers.point("first"), numbers.point("last")]),
         seconds: numbers.one("seconds"),

@@ -144,15 +144,14 @@ pub unsafe extern "C" fn v_pose_matrix(
     })
 }
 
-/// Gets the pose of a camera from its matrix, the inverse of v_pose_matrix(), for
-/// on_capture and v_editor_set_view(). For a matrix of
-/// glGetDoublev(GL_MODELVIEW_MATRIX), read before the object's own transformations, use
-/// V_AXES_OPENGL and to_world 0. A scale common to all axes is removed, and the axes
-/// are made perpendicular.
+/// Gets the pose of a camera from its matrix, the inverse of v_pose_matrix(). For a
+/// matrix of glGetDoublev(GL_MODELVIEW_MATRIX), read before the object's own
+/// transformations, use V_AXES_OPENGL and to_world 0. A scale common to all axes is
+/// removed, and the axes are made perpendicular.
 ///
 /// m  its last row is 0, 0, 0, 1
-/// zoom  zoom of the pose, finite and > 0; from a vertical angle:
-///     v_zoom_from_fov(angle, 24)
+/// zoom  of the pose, finite and > 0; from a vertical angle: v_zoom_from_fov(angle,
+///     24)
 /// V_ERR_ARGUMENT (a matrix that mirrors, shears, projects or is not finite).
 /// cbindgen:ptrs-as-arrays=[[m; 16]]
 #[unsafe(no_mangle)]
@@ -244,9 +243,8 @@ pub unsafe extern "C" fn v_pose_from_euler(
 }
 
 /// Gets the projection matrix of a camera, for its zoom, to be applied after the view
-/// matrix of V_AXES_OPENGL, which looks along -z whatever the convention: 16
-/// numbers, column by column, for column vectors (row by row for row vectors, as
-/// Direct3D uses them).
+/// matrix of V_AXES_OPENGL: 16 numbers, column by column, for column vectors (row by
+/// row for row vectors, as Direct3D uses them).
 ///
 /// aspect  width of the picture divided by its height
 /// near_plane  distance of the front plane, > 0

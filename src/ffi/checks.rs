@@ -75,10 +75,9 @@ fn finding(found: &Finding, space: Space) -> Answer<V_FINDING> {
 }
 
 /// Finds what will look wrong: jerks, flips, collisions. Writes one finding per kind
-/// and run of frames to your array, in their order. docs/reference/tools.md describes
-/// the kinds. In parentheses their default limits, for a space of half_size 1: those of
-/// lengths are relative to it. v_path_set_number() sets the limit of one as "check.turning"
-/// and so on, in lengths of your world; it is saved.
+/// and run of frames to your array, in their order. In parentheses the default
+/// limits, for a space of half_size 1; those of lengths are relative to it. The
+/// property "check.turning" and so on is the limit, in lengths of your world.
 ///
 /// "space"         outside the space (0)
 /// "cusp"          curve or speed nearly stop (0.02 of the mean)
@@ -102,13 +101,12 @@ fn finding(found: &Finding, space: Space) -> Answer<V_FINDING> {
 /// "backwards"     distance back between points that lead on (0.001)
 ///
 /// A hold, or a turn on the spot, between sections without an ease counts as a
-/// "speed-jump", an "acceleration" or a "turning-acceleration" only if that limit is not
-/// the default.
+/// "speed-jump", an "acceleration" or a "turning-acceleration" only if that limit is
+/// not the default.
 ///
-/// object  the obstacle, in the coordinates of the path; NULL: the path's own, with its
-///     faces, if it has one
-/// v_last_warning() returns notes: that the camera is always inside the object,
-/// and what was ignored (moving objects, the motion of the camera's parent).
+/// object  in the coordinates of the path; NULL: the path's own, if it has one
+/// v_last_warning() returns notes: that the camera is always inside the object, and
+/// what was ignored (moving objects, the motion of the camera's parent).
 /// V_ERR_ARGUMENT (an object without geometry), V_ERR_REFUSED.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_check(

@@ -100,8 +100,7 @@ pub unsafe extern "C" fn v_editor_options_init(options: *mut V_EDITOR_OPTIONS) {
 }
 
 /// Like v_editor_options_init(), for a struct of size bytes; size becomes what was
-/// filled in. A struct shorter than in version 1.0 is unchanged, and v_last_error()
-/// returns the reason.
+/// filled in. A struct shorter than in version 1.0 is unchanged.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_options_init_sized(options: *mut V_EDITOR_OPTIONS, size: usize) {
     border((), || {
@@ -151,10 +150,10 @@ unsafe impl Growing for V_EDITOR_OPTIONS {
 /// Opens an editor window and returns at once; see v_fd() for how your program serves
 /// it. options NULL: the defaults. Call it from the thread that runs the event loop.
 ///
-/// The callbacks run there, also while your program shows a modal dialog, whose loop
-/// serves the window too. No longjmp() and no exception may leave them; an exception
-/// that does ends the program, after a line on standard error that names the callback.
-/// When the thread ends, its window is closed, with a line on standard error.
+/// The callbacks run there, also while your program shows a modal dialog. No
+/// longjmp() and no exception may leave them; an exception that does ends the
+/// program, after a line on standard error that names the callback. When the thread
+/// ends, its window is closed, with a line on standard error.
 /// V_ERR_HANDLE (of path), V_ERR_IO and V_ERR_FORMAT (of file), V_ERR_DISPLAY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_open(
@@ -423,7 +422,7 @@ pub unsafe extern "C" fn v_editor_get_path(
 /// Replaces the path in a window, in one step that the user can undo, with its space,
 /// title, comment and so on, and its object if it has one. Base speeds given when the
 /// window was opened are kept. In a scene it replaces the path of the camera shown,
-/// which is then edited. The playhead stays at its frame if the path has it.
+/// which is then edited. The playhead stays if it can.
 /// V_ERR_ARGUMENT (no camera, or it follows no path).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_set_path(editor: *mut V_EDITOR, path: *const V_PATH) -> c_int {

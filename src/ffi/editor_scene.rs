@@ -36,8 +36,8 @@ pub unsafe extern "C" fn v_editor_get_scene(
 /// If the new scene has a node with the name of the edited one and a path, that path
 /// is edited; otherwise that of the camera shown, if it has one, with the base speeds
 /// given when the window was opened. A scene with nothing but one camera on a path is
-/// treated as that path. A drag in progress ends. The playhead stays at its frame if
-/// the scene has it.
+/// treated as that path. A drag in progress ends. The playhead stays
+/// if it can.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_set_scene(editor: *mut V_EDITOR, scene: *const V_SCENE) -> c_int {
     border(V_ERR_INTERNAL, || {

@@ -25,8 +25,7 @@ fn travel(
     }
 }
 
-/// Undoes the last step of a window, like Ctrl-Z. It keeps the last 10,000 steps, and
-/// at most 256 MiB of what they changed.
+/// Undoes the last step of a window, like Ctrl-Z: up to 10,000 steps, and 256 MiB.
 /// V_ERR_ARGUMENT (nothing to undo).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_undo(editor: *mut V_EDITOR) -> c_int {
@@ -44,9 +43,8 @@ pub unsafe extern "C" fn v_editor_redo(editor: *mut V_EDITOR) -> c_int {
     })
 }
 
-/// Begins a group of changes in a window, yours and the user's, that the user undoes as
-/// one step. It replaces a group begun before; loading another document in the window
-/// ends it.
+/// Begins a group of changes in a window, yours and the user's, that the user undoes
+/// as one step. It replaces a group begun before; loading another document ends it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_begin_step(editor: *mut V_EDITOR) -> c_int {
     border(V_ERR_INTERNAL, || {

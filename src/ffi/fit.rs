@@ -17,7 +17,7 @@ use crate::tools::fit::{Options, Tolerance, fit, fit_points};
 
 /// Fits a path of few points to recorded poses: each position within tolerance, each
 /// view, up and field of view within angle degrees, at its time. Noise below that is
-/// removed. Poses that jerk between whole frames, where no points are, may be missed.
+/// removed. Poses that jerk between whole frames may be missed.
 ///
 /// seconds  when each pose was taken, in order; NULL: one per frame. Of equal times
 ///     the first counts. Times beyond 1e11 count nanoseconds or microseconds
@@ -26,7 +26,8 @@ use crate::tools::fit::{Options, Tolerance, fit, fit_points};
 ///     diagonal of the positions); angle (0.5); points, at most that many, from which
 ///     the tolerance follows; robust=yes leaves out outliers, poses farther than the
 ///     tolerance from what their neighbours suggest; up (y or z); space, its centre
-///     and half size (the smallest cube around the positions, enlarged by a tenth)
+///     and half its edge (the smallest cube around the positions, enlarged by a
+///     tenth)
 ///
 /// v_last_warning() returns points, deviations, holds, gaps, cuts, outliers, and what
 /// helps against many points; v_last_number() "tolerance", "left_out" (poses).

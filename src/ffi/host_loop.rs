@@ -65,9 +65,9 @@ pub extern "C" fn v_timeout() -> c_int {
 }
 
 /// Does all pending work for the windows without waiting; callbacks run inside it.
-/// Returns the number of open windows; if one was destroyed, or its X server went away,
-/// v_last_error() returns the reason. Inside a callback it serves all windows except
-/// those whose callbacks are running.
+/// Returns the number of open windows; if one was destroyed, or its X server went
+/// away, v_last_error() returns the reason. Inside a callback it serves only windows
+/// whose callbacks are not running.
 #[unsafe(no_mangle)]
 pub extern "C" fn v_dispatch() -> c_int {
     border(0, || {
@@ -79,8 +79,7 @@ pub extern "C" fn v_dispatch() -> c_int {
     })
 }
 
-/// Serves the windows until the last one is closed, sleeping in between. Returns at
-/// once without windows.
+/// Serves the windows until the last one is closed. Returns at once without windows.
 /// V_ERR_BUSY (inside a callback), V_ERR_DISPLAY (a window was destroyed or its X
 /// server went away; after all have closed), V_ERR_LIMIT (no descriptors).
 #[unsafe(no_mangle)]
@@ -103,8 +102,8 @@ pub extern "C" fn v_main_loop() -> c_int {
     })
 }
 
-/// Lets an XtAppContext run by this thread serve its windows. Needed only for one
-/// created after a window was opened, since opening a window finds all that exist.
+/// Lets an XtAppContext run by this thread serve its windows; needed only for one
+/// created after a window was opened.
 /// V_ERR_ARGUMENT (no Xt, or no such context).
 #[unsafe(no_mangle)]
 pub extern "C" fn v_set_app_context(app_context: *mut c_void) -> c_int {

@@ -24,28 +24,29 @@ type Ende = unsafe extern "C" fn() -> c_int;
 /// ==== The interface of 1994: unchanged since ====
 ///
 /// Opens an editor window and returns at once. Each call opens another, independent
-/// window, on the display that the program's Xt opened last; without Xt, on DISPLAY. A
-/// program with an Xt or Motif main loop needs nothing more; others see v_fd() and
-/// v_main_loop(). Work not handed over or saved when the program ends is offered at its
-/// next start; for your own Quit see v_editors_close().
+/// window, on the display that the program's Xt opened last; without Xt, on DISPLAY.
+/// A program with an Xt or Motif main loop needs nothing more; others see v_fd() and
+/// v_main_loop(). Unsaved work is offered at the program's next start; for your own
+/// Quit see v_editors_close().
 ///
-/// move_speed, orient_speed, zoom_speed, winkel_speed  poses at speed 50 for moving by
-///     1, turning by 180 degrees, zooming from 1 to 100, rolling by 90 degrees; 100
-///     replaces one that is not finite and > 0. Those of a loaded file are ignored
-/// interpol_liste  first element of the list that receives the poses, see V_KAMERAPAR,
-///     or NULL. It must outlive the window; several windows may share it. Its number is
-///     read at each hand-over: < 0 means no data (any more)
+/// move_speed, orient_speed, zoom_speed, winkel_speed  poses at speed 50 for moving
+///     by 1, turning by 180 degrees, zooming from 1 to 100, rolling by 90 degrees;
+///     100 replaces one that is not finite and > 0. Those of a loaded file are
+///     ignored
+/// interpol_liste  first element of the list that receives the poses, see
+///     V_KAMERAPAR, or NULL. It must outlive the window; several windows may share
+///     it. Its number is read at each hand-over: < 0 means no data (any more)
 /// anzahl_objekt, objekt  points of an object to show, at which the new path looks;
 ///     NULL or a number <= 0: none
 /// rueck  called when the user hands over poses, with the list and its count; may be
-///     NULL. The list is unchanged until the next hand-over. If interpol_liste is NULL,
-///     the elements are valid until rueck returns
+///     NULL. The list is unchanged until the next hand-over; if interpol_liste is
+///     NULL, until rueck returns
 /// ende  called before the user closes the window; 0 keeps it open; may be NULL
 ///
 /// Call it from the thread that runs the event loop; rueck and ende run there, by the
-/// rules of v_editor_open(). Wrong arguments, a window that cannot be opened, or one
-/// that closes because its thread ends are reported in a line on standard error that
-/// begins with "vides:"; the first two also by v_last_error(), and in the window.
+/// rules of v_editor_open(). Errors, and a window that closes because its thread
+/// ends, are reported in a line on standard error that begins with "vides:", and by
+/// v_last_error().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_haupt(
     move_speed: c_float,
@@ -240,8 +241,8 @@ fn report(warnings: &Warnings) {
 
 /// Frees all elements of a list except the first, which is yours, and sets its number
 /// to -1 (no data). A list that VIDES did not make, or whose links and numbers were
-/// changed, stays unchanged; v_last_error() returns the reason. NULL and lists without
-/// data (number < 0) are ignored. No other thread may use the list meanwhile.
+/// changed, stays unchanged; v_last_error() returns the reason. NULL and lists with
+/// number < 0 are ignored. No other thread may use the list meanwhile.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_free_liste(first: *mut V_KAMERAPAR) {
     border((), || {

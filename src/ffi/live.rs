@@ -40,7 +40,7 @@ fn command(
 /// point; NULL hides it. vpn and vup have any length but 0.
 ///
 /// Changes that a callback makes with the functions of this section or with
-/// v_editor_set_path() do not cause further callbacks.
+/// v_editor_set_path() cause no further callbacks.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_set_view(editor: *mut V_EDITOR, pose: *const V_POSE) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -66,9 +66,8 @@ pub unsafe extern "C" fn v_editor_get_frame(
     })
 }
 
-/// Moves the playhead to a frame; the orientation that the camera comes from becomes
-/// current. In a scene it is a frame of the scene, within v_scene_frame_range(),
-/// whatever is selected.
+/// Moves the playhead to a frame; in a scene one of the scene, within
+/// v_scene_frame_range(). The orientation that the camera comes from becomes current.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_set_frame(editor: *mut V_EDITOR, frame: c_double) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -77,7 +76,7 @@ pub unsafe extern "C" fn v_editor_set_frame(editor: *mut V_EDITOR, frame: c_doub
 }
 
 /// Plays the flight from the playhead, or from the beginning if that is at the end,
-/// when the window is next served, even if it is not visible; 0 stops.
+/// even if the window is not visible; 0 stops.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_play(editor: *mut V_EDITOR, play: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -102,7 +101,7 @@ pub unsafe extern "C" fn v_editor_select(
     })
 }
 
-/// Replaces the object shown, in one step that the user can undo; NULL removes it.
+/// Replaces the object shown, in one step; NULL removes it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_set_object(
     editor: *mut V_EDITOR,
@@ -115,8 +114,8 @@ pub unsafe extern "C" fn v_editor_set_object(
     })
 }
 
-/// Sets the text after "VIDES" in the window's title, one line (control characters
-/// become spaces); NULL: the name of the file.
+/// Sets the text after "VIDES" in the window's title, one line; NULL: the name of the
+/// file.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_set_title(editor: *mut V_EDITOR, title: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -144,8 +143,7 @@ pub unsafe extern "C" fn v_editor_is_modified(
     })
 }
 
-/// Marks the contents of a window as saved, after your program has kept them: until the
-/// next change they are not offered at the next start.
+/// Marks the contents of a window as saved, after your program has kept them.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_mark_saved(editor: *mut V_EDITOR) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -157,8 +155,8 @@ pub unsafe extern "C" fn v_editor_mark_saved(editor: *mut V_EDITOR) -> c_int {
 }
 
 /// Saves the contents of a window to a .vid file, which it edits from then on. NULL:
-/// its own file, unless another program has changed it.
-/// V_ERR_ARGUMENT (no file yet, or changed by others), V_ERR_IO.
+/// its own file.
+/// V_ERR_ARGUMENT (no file yet, or changed by another program), V_ERR_IO.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_save(editor: *mut V_EDITOR, file: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {

@@ -107,8 +107,7 @@ pub unsafe extern "C" fn v_path_clone(path: *const V_PATH, copy: *mut *mut V_PAT
     })
 }
 
-/// Frees a path. NULL is ignored. A call that uses it in another thread completes
-/// normally.
+/// Frees a path. NULL is ignored. A call that uses it in another thread completes.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_free(path: *mut V_PATH) {
     border((), || {
@@ -155,7 +154,7 @@ pub unsafe extern "C" fn v_path_load_from_memory(
 }
 
 /// Saves a path to a .vid file, which is replaced atomically and is on the disk when
-/// the call returns V_OK. Symbolic links are followed and permissions kept.
+/// the call returns. Symbolic links are followed and permissions kept.
 /// V_ERR_IO.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_save(path: *const V_PATH, file: *const c_char) -> c_int {

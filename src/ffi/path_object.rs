@@ -12,8 +12,8 @@ use super::types::V_PATH;
 use crate::document::Edit;
 
 /// Sets the object shown with a path; NULL: none. The window draws its lines and the
-/// edges of its triangles; beyond 1,000,000 points of lines, only points where they end
-/// or bend. v_path_check() uses the triangles.
+/// edges of its triangles; beyond 1,000,000 points of lines, only points where they
+/// end or bend. v_path_check() uses the triangles.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_object(path: *mut V_PATH, object: *const V_MESH) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -27,8 +27,8 @@ pub unsafe extern "C" fn v_path_set_object(path: *mut V_PATH, object: *const V_M
     })
 }
 
-/// Gets the object shown with a path, 0 points without one. The arrays are valid until
-/// the same thread's next call of this function or its end.
+/// Gets the object shown with a path, 0 points without one. The arrays are valid
+/// until the same thread's next call of this function.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_object(path: *const V_PATH, mesh: *mut V_MESH) -> c_int {
     border(V_ERR_INTERNAL, || {

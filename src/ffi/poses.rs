@@ -30,8 +30,8 @@ pub unsafe extern "C" fn v_path_section_count(path: *const V_PATH, count: *mut c
     })
 }
 
-/// Gets the point and orientation with which a section begins, its first frame, and its
-/// number of frames without a hold at its end; 0 if nothing changes in it.
+/// Gets the point and orientation with which a section begins, its first frame, and
+/// its number of frames without a hold at its end.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_section_info(
     path: *const V_PATH,
@@ -194,8 +194,7 @@ pub(super) fn frame_of(given: f64, frames: usize, name: Name) -> Answer<f64> {
 
 /// Makes a list of all poses, see V_KAMERAPAR. Set the number of first before, to -1
 /// if there is no data yet. A list that VIDES made there before is freed when the new
-/// one is complete; any other is not freed. No other thread may use the list
-/// meanwhile.
+/// one is complete. No other thread may use the list meanwhile.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_to_list(path: *const V_PATH, first: *mut V_KAMERAPAR) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -213,7 +212,7 @@ pub unsafe extern "C" fn v_path_to_list(path: *const V_PATH, first: *mut V_KAMER
 /// Writes all poses to a text file, replaced atomically, one line each: VRP, VPN, VUP
 /// (x, y and z each) and zoom, as C prints them by "%3.4f", separated by one space.
 /// The decimal sign is a point; minus zero is written as zero. Zoom is the path's, 1
-/// to 2000 with its fraction: only the list's int ends at 100.
+/// to 2000: only the list's int ends at 100.
 /// V_ERR_IO.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_write_ascii(path: *const V_PATH, file: *const c_char) -> c_int {

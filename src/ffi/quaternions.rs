@@ -53,9 +53,9 @@ pub(super) fn view(vpn: DVec3, vup: DVec3) -> Answer<(DVec3, DVec3)> {
 /// Gets the spherical linear interpolation from a (t = 0) to b (t = 1) by the shorter
 /// arc, at any finite t.
 ///
-/// Quaternions are w, x, y, z. Arguments are normalized; one that is zero or not finite
-/// is V_ERR_ARGUMENT. The identity is a camera that looks along (0, 0, 1) with (0, 1,
-/// 0) up. Results may be the same arrays as arguments.
+/// Quaternions are w, x, y, z, not zero; they are normalized. The identity is a
+/// camera that looks along (0, 0, 1) with (0, 1, 0) up. Results may be the same
+/// arrays as arguments.
 /// cbindgen:ptrs-as-arrays=[[a; 4], [b; 4], [q; 4]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_quat_slerp(a: *const f64, b: *const f64, t: f64, q: *mut f64) -> c_int {
@@ -75,8 +75,8 @@ pub unsafe extern "C" fn v_quat_slerp(a: *const f64, b: *const f64, t: f64, q: *
     })
 }
 
-/// Gets the quaternion of a camera that looks along vpn with vup up. Both may have any
-/// length but 0, and must not be parallel.
+/// Gets the quaternion of a camera that looks along vpn with vup up, of any length
+/// but 0, not parallel.
 /// cbindgen:ptrs-as-arrays=[[vpn; 3], [vup; 3], [q; 4]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_quat_from_view(vpn: *const f64, vup: *const f64, q: *mut f64) -> c_int {

@@ -166,8 +166,8 @@ fn node_for_c(node: &Node, number: impl Fn(usize) -> Option<usize>) -> Answer<V_
 /// ==== Scenes: nodes that move on one timeline ====
 ///
 /// Fills in a node of this kind at the origin: visible, scale 1, rotation 1 0 0 0, no
-/// parent, no aim, zoom 24, white, intensity 1, a cone of 20 and 30 degrees, planes at
-/// 0.01 and 1000. An unknown kind is refused only where the node is used.
+/// parent, no aim, zoom 24, white, intensity 1, a cone of 20 and 30 degrees, planes
+/// at 0.01 and 1000.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_node_init(node: *mut V_NODE, kind: c_int) {
     border((), || {
@@ -196,8 +196,7 @@ pub unsafe extern "C" fn v_scene_new(scene: *mut *mut V_SCENE) -> c_int {
 ///
 /// An object is left empty if its mesh file is missing, malformed, or outside the
 /// folder of the .vid file once links are followed (v_scene_load_geometry() reads it
-/// from anywhere); one that has changed is read as it is. v_last_warning() reports
-/// this.
+/// from anywhere); v_last_warning() reports this, and a mesh that has changed.
 /// V_ERR_IO, V_ERR_FORMAT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_load(file: *const c_char, scene: *mut *mut V_SCENE) -> c_int {
@@ -267,8 +266,7 @@ pub unsafe extern "C" fn v_scene_save(scene: *const V_SCENE, file: *const c_char
     })
 }
 
-/// Makes an independent copy of a scene. Both share geometry until one of them changes
-/// it.
+/// Makes an independent copy of a scene, like v_path_clone().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_clone(scene: *const V_SCENE, copy: *mut *mut V_SCENE) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -322,7 +320,7 @@ pub(super) fn copied_name(text: &str) -> Answer<String> {
 
 /// Removes a node with all its descendants. The numbers of later nodes decrease;
 /// nodes that aimed at a removed one no longer aim. Removing many in a row costs as
-/// much as one, even if you read nodes in between.
+/// much as one.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_remove_node(scene: *mut V_SCENE, node: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -410,7 +408,7 @@ pub unsafe extern "C" fn v_scene_get_node(
 /// Sets the values of a node; its kind does not change. If the parent changes,
 /// position, rotation and scale are relative to the old one: the node keeps its place
 /// in the world at the scene's first frame. A node that moves can only change to a
-/// parent in the same place as the old one.
+/// parent in the same place.
 /// V_ERR_ARGUMENT (such as a cycle).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_node(
@@ -432,9 +430,8 @@ pub unsafe extern "C" fn v_scene_set_node(
 
 /// Makes a node follow a path; NULL: none. Pose n is shown at the scene's frame
 /// start_frame + n - 1. The path moves position, rotation and zoom in the parent's
-/// coordinates; a node with a track for one of them cannot have a path.
-///
-/// after  V_AFTER_HOLD, V_AFTER_REPEAT or V_AFTER_PINGPONG; before the path, too
+/// coordinates; a node with a track for one of them cannot have a path. after is
+/// V_AFTER_HOLD, V_AFTER_REPEAT or V_AFTER_PINGPONG.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_path(
     scene: *mut V_SCENE,
@@ -500,8 +497,8 @@ pub unsafe extern "C" fn v_scene_set_marker(
     })
 }
 
-/// Pins a point of a node's path to a marker; NULL removes the pin. Pins hold when the
-/// path changes, and are saved.
+/// Pins a point of a node's path to a marker; NULL removes the pin. Pins hold when
+/// the path changes.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_pin(
     scene: *mut V_SCENE,

@@ -47,11 +47,8 @@ pub unsafe extern "C" fn v_scene_set_range(scene: *mut V_SCENE, first: f64, last
     })
 }
 
-/// Sets the parent of a node; -1: no parent.
-///
-/// keep  V_KEEP_PLACE: its place in the world at the scene's first frame, as in
-///     v_scene_set_node(). V_KEEP_NUMBERS: its values, path and tracks; it moves with
-///     its new parent
+/// Sets the parent of a node; -1: no parent. keep is V_KEEP_PLACE (its place in the
+/// world at the scene's first frame) or V_KEEP_NUMBERS (its values, path and tracks).
 /// V_ERR_ARGUMENT (such as a cycle).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_parent(

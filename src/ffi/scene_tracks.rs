@@ -279,10 +279,10 @@ impl Host {
     }
 }
 
-/// Registers a function as the interpolation "host:NAME" for all scenes of the process,
-/// replacing an older one; NULL removes it. name is NAME, with or without "host:". Any
-/// thread that evaluates a scene calls it. It must not use scenes, and no longjmp() and
-/// no exception may leave it.
+/// Registers a function as the interpolation "host:NAME" for all scenes of the
+/// process, replacing an older one; NULL removes it. Any thread that evaluates a
+/// scene calls it. It must not use scenes, and no longjmp() and no exception may
+/// leave it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_register_interpolation(
     name: *const c_char,
@@ -329,8 +329,8 @@ pub unsafe extern "C" fn v_scene_set_geometry(
 }
 
 /// Reads the geometry of an object from an OBJ, PLY, STL or glTF file, by its
-/// extension. A saved .vid file refers to that file instead of containing the points,
-/// by a relative name if it is in the same folder or below.
+/// extension. A saved .vid file refers to that file, by a relative name if it is in
+/// the same folder or below.
 /// V_ERR_IO, V_ERR_FORMAT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_load_geometry(

@@ -49,10 +49,10 @@ pub unsafe extern "C" fn v_path_get_tangents(
 
 /// Inserts a point on the curve where the camera is at a frame, without changing the
 /// curve, any pose or the number of frames. It gets the nearest whole frame within
-/// the section; a section of one frame becomes two, split where you ask. Neighbours
-/// get custom tangents, angular velocities, slopes of zoom and roll, and a part of
-/// the old speed profile; such tangents are removed when their point or a neighbour
-/// moves alone, unless you set them. *at receives the index.
+/// the section; a section of one frame becomes two. Neighbours get custom tangents,
+/// angular velocities, slopes of zoom and roll, and a part of the old speed profile;
+/// such tangents are removed when their point or a neighbour moves alone, unless you
+/// set them. *at receives the index.
 ///
 /// frame  not at a key, not in a pan, not with orientation_mode "barry-goldman"
 #[unsafe(no_mangle)]

@@ -67,9 +67,9 @@ pub unsafe extern "C" fn v_path_change_up(path: *mut V_PATH, up: c_int) -> c_int
 }
 
 /// Makes an orientation look like the camera of a pose, for a path with this up axis
-/// (V_UP_Y, V_UP_Z): sets a relative target, the pose's vpn, and roll and zoom.
-/// Everything else in *orientation is unchanged: call v_orientation_init() before. vpn
-/// and vup have any length but 0 and are not parallel.
+/// (V_UP_Y, V_UP_Z): sets a relative target, the pose's vpn, and roll and zoom. The
+/// rest of *orientation is unchanged: call v_orientation_init() before. vpn and vup
+/// have any length but 0 and are not parallel.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_orientation_from_pose(
     pose: *const V_POSE,

@@ -90,8 +90,7 @@ pub unsafe extern "C" fn v_path_seconds_at_frame(
     })
 }
 
-/// Gets the motion of the camera at a frame. At a key it is the motion after the key;
-/// at the last frame, before it.
+/// Gets the motion of the camera at a frame; at a key, that after the key.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_motion(
     path: *const V_PATH,

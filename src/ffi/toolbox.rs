@@ -168,8 +168,7 @@ pub(super) fn report_number(name: &'static str, number: f64) {
     NUMBERS.with_borrow_mut(|all| all.push((name, number)));
 }
 
-/// Gets a number that the calling thread's last tool or v_path_fit_poses() reported, by
-/// the name given there.
+/// Gets a number that the calling thread's last tool or v_path_fit_poses() reported.
 /// V_ERR_ARGUMENT (no such number).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_last_number(name: *const c_char, value: *mut f64) -> c_int {

@@ -148,8 +148,8 @@ pub unsafe extern "C" fn v_path_insert_path(
 
 /// Makes the weighted sum of paths, point by point: positions, curve, targets, roll,
 /// zoom and speeds; also fixed frames (rounded), angular velocities and slopes that
-/// all have. Paths with fewer points are first resampled by length. Everything else
-/// comes from the path with the greatest weight. The count weights have the sum 1.
+/// all have. Paths with fewer points are first resampled by length. The rest comes
+/// from the path with the greatest weight. The count weights have the sum 1.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_blend(
     paths: *const *mut V_PATH,

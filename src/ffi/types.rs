@@ -11,8 +11,6 @@ use std::mem::offset_of;
 use super::scene_types::V_MESH;
 use crate::path::Pose;
 
-/// ==== Types of 1994 ====
-///
 /// A point or a vector in the cube from -1 to 1 in x, y and z, y up.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -245,9 +243,8 @@ pub struct v_editor_options {
     pub space_half_size: f64,
     pub space_up: c_int,
     /// called with the camera at the playhead whenever it has changed, at most 60 times
-    /// a second, even if the window is not visible; reason is one of V_VIEW_.... The pose
-    /// is valid until it returns. After a call of more than 30 ms the next one waits as
-    /// long; the last pose always arrives
+    /// a second, even if the window is not visible; reason is V_VIEW_.... The pose is valid
+    /// until it returns. After a call of more than 30 ms the next one waits as long
     pub on_view: Option<
         unsafe extern "C" fn(
             editor: *mut V_EDITOR,
@@ -257,9 +254,8 @@ pub struct v_editor_options {
             user: *mut c_void,
         ),
     >,
-    /// called, like on_view, when the path has changed: after each step, undo and redo,
-    /// not during a drag; steps within a sixtieth of a second are combined. A tool's
-    /// preview before OK is no change, nor for on_view, on_frame and on_poses
+    /// called when the path has changed: after each step, undo and redo, not during a
+    /// drag or a tool's preview; steps within a sixtieth of a second are combined
     pub on_change: Option<unsafe extern "C" fn(editor: *mut V_EDITOR, user: *mut c_void)>,
     /// called when the user adds your program's view to the path (Ctrl-Enter): fill in
     /// your camera and return 1, or return 0 if you have none. vpn and vup have any
@@ -269,12 +265,12 @@ pub struct v_editor_options {
     >,
     /// called when the camera pane opens, changes its size in pixels, or closes (window
     /// 0, sizes 0). Draw in it what the camera sees, again at each Expose: in the pane,
-    /// which has the screen's own visual, or in a child window of any visual that you
-    /// create there and that is kept at its size. A pane is never destroyed while the
-    /// process lives: it is unmapped, a child is moved to the root window and unmapped,
-    /// and then this is called; when the editor closes, after its window is gone and
-    /// perhaps its handle freed. Not called when the thread ends. Without XFIXES or SHAPE
-    /// there is no pane. NULL: the editor draws the picture itself
+    /// which has the screen's visual, or in a child window of any visual that you create
+    /// there and that is kept at its size. A pane is never destroyed while the process
+    /// lives: it and its child, moved to the root window, are unmapped before this is
+    /// called; when the editor closes, after its window is gone and perhaps its handle
+    /// freed. Not called when the thread ends, nor without XFIXES or SHAPE. NULL: the
+    /// editor draws the picture itself
     pub on_pane: Option<
         unsafe extern "C" fn(
             editor: *mut V_EDITOR,
@@ -288,11 +284,9 @@ pub struct v_editor_options {
     pub host_name: *const c_char,
     /// an X window of the display, of any depth, which the editor fills as its child;
     /// 0: a top-level window. If it is destroyed, or the editor's window is moved to
-    /// the root, the editor closes without on_close, and unsaved work is offered at the
-    /// next start. V_ERR_ARGUMENT if it is not a window
+    /// the root, the editor closes without on_close
     pub parent: c_ulong,
-    /// your window, above which window managers keep the editor; 0: none.
-    /// V_ERR_ARGUMENT if it is not a window
+    /// your window, above which window managers keep the editor; 0: none
     pub transient_for: c_ulong,
     /// name of the program: the first half of WM_CLASS, by which desktops group windows
     /// and unsaved work is found again; NULL: that of the running program
@@ -300,20 +294,17 @@ pub struct v_editor_options {
     /// not 0: after a hand-over nothing is unsaved, as always without a file and in a
     /// window of v_haupt()
     pub hand_over_saves: c_int,
-    /// for programs that draw the scene themselves (v_scene_evaluate()): called with the
-    /// scene's frame at the playhead and V_VIEW_... when that frame or the scene has
-    /// changed, as often as on_view
+    /// for programs that draw the scene themselves: called, like on_view, with the scene's
+    /// frame at the playhead when that frame or the scene has changed
     pub on_frame: Option<
         unsafe extern "C" fn(editor: *mut V_EDITOR, frame: f64, reason: c_int, user: *mut c_void),
     >,
-    /// what your program's picture shows when the window opens. A new path begins with
-    /// it and leads to the right, around what is in the middle of the picture; on_view
-    /// is called only when the camera has changed. NULL: a new path looks at the object,
-    /// and on_view is called at once
+    /// what your program's picture shows when the window opens: a new path begins with it
+    /// and leads to the right, around the middle of the picture. NULL: a new path looks at
+    /// the object, and on_view is called at once
     pub view: *const V_POSE,
-    /// called once, after the window is gone; reason is one of V_GONE_.... You may free
-    /// the handle here; any other use of it fails with V_ERR_CLOSED. Not called when
-    /// v_editor_close() closes the window or its thread ends
+    /// called once, after the window is gone; reason is V_GONE_.... You may free the
+    /// handle here. Not called when v_editor_close() closes the window or its thread ends
     pub on_gone:
         Option<unsafe extern "C" fn(editor: *mut V_EDITOR, reason: c_int, user: *mut c_void)>,
 }

@@ -65,8 +65,7 @@ pub unsafe extern "C" fn v_view_matrix(view: *const V_VIEW, m: *mut f64) -> c_in
 }
 
 /// Gets the perspective view of a camera in a pose. aspect is the picture's width
-/// divided by its height; front and back are the planes' distances from the camera, 0 <
-/// front < back.
+/// divided by its height; 0 < front < back are the planes' distances from the camera.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_view_from_pose(
     pose: *const V_POSE,

@@ -118,6 +118,25 @@ fn a_note_is_no_finding() {
     );
 }
 
+/// 20 m in 10 frames of a space of 20 m: some 50 m/s, whatever the file counts in.
+#[test]
+fn limits_and_findings_are_in_lengths_of_the_path() {
+    let speed = |limit: &str| {
+        let check = ["check", "-", "--json", "--limit", limit];
+        let output = run_with_input(&check, IN_A_WORLD.as_bytes());
+        let found: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        let all = found.as_array().unwrap().clone();
+        all.into_iter().find(|finding| finding["kind"] == "speed")
+    };
+    let found = speed("speed=40").unwrap();
+    let value = found["value"].as_f64().unwrap();
+    assert!((45.0..80.0).contains(&value), "{value}");
+    assert_eq!(found["limit"], 40.0);
+    let text = found["text"].as_str().unwrap();
+    assert!(text.contains(" lengths/s (limit 40)"), "{text}");
+    assert!(speed("speed=80").is_none());
+}
+
 #[test]
 fn what_can_be_is_fixed() {
     let folder = tempfile::tempdir().unwrap();
