@@ -310,9 +310,10 @@ check-packages: libs wheel
 	VIDES_FORMATS=$(abspath $(FORMATS)) \
 	    python/tests/run.sh $(WHEELS) $(CARGO_TARGET_DIR)/python $(LIB)/libvides.so.1 large
 
-bench: libs
+bench: libs wheel
 	@mk/need.sh python3=python3 python3:ensurepip=python3-venv
 	python3 benches/table.py
+	python3 benches/python.py $(WHEELS)/vides-*.whl
 	python3 benches/scene.py
 	$(CARGO) test --locked --workspace --all-features --lib --tests timed_ -- \
 	    --test-threads=1 --nocapture

@@ -237,6 +237,16 @@ def main():
         first = rate(baseline, "sample/100_prepared") / fast
         print(f"\nThe baseline alone, 100 points prepared before: {first:.0f}× the fastest peer.")
 
+    print("\n| a prepared path, ns a pose (÷ whole frames in order) | 100 points | 10,000 points |\n|---|---:|---:|")
+    for name, text in (
+        ("prepared", "whole frames in order"),
+        ("between_frames", "between frames, rising"),
+        ("anywhere", "between frames, in no order"),
+        ("one_by_one", "between frames, in no order, one a call"),
+    ):
+        pair = ((rate(dispatched, f"sample/{points}_{one}") for one in ("prepared", name)) for points in (100, 10_000))
+        print(f"| {text} | " + " | ".join(f"{1e9 / own:.1f} ({whole / own:.1f})" for whole, own in pair) + " |")
+
     print("\n| | |\n|---|---:|")
     print(f"| `v_path_to_list`, {listed['elements']:,.0f} elements, beyond sampling, beside a C loop that allocates, "
           f"fills and links as many | {listed['ratio']:.2f}× |")  # fmt: skip

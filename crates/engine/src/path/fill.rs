@@ -60,18 +60,19 @@ pub(super) struct Scratch {
 }
 
 impl Scratch {
+    /// Written where it stays: for one pose alone copying it would count.
+    #[inline(always)]
     pub(super) fn new() -> Self {
-        let row = [0.0; BLOCK + STRIDE];
-        let block = Block {
-            phi: row,
-            s: row,
-            t: row,
-            q: [row; 4],
-        };
+        const ROW: Row = [0.0; BLOCK + STRIDE];
         Self {
             tables: Tables::default(),
             once: false,
-            block,
+            block: Block {
+                phi: ROW,
+                s: ROW,
+                t: ROW,
+                q: [ROW, ROW, ROW, ROW],
+            },
             records: Records([0.0; 10 * STRIDE]),
         }
     }
