@@ -6,6 +6,7 @@ use vides_engine::scene::{Channel, Part};
 
 use super::*;
 use crate::playing::tracks::tests::*;
+use crate::screenshots::screenshot;
 use crate::space::tests::{motion, release, tap};
 use crate::texts::fill;
 
@@ -82,6 +83,7 @@ fn times_are_typed_while_something_is_held() {
                 harness.step();
             }
             harness.step();
+            screenshot(&mut harness, &format!("typed-{typed}-{before}.png"));
             assert_eq!(of(&harness), expected, "{typed} from {before}");
             tap(&mut harness, Key::Enter, Modifiers::NONE);
             // The mouse moves nothing any more.

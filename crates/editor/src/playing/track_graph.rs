@@ -3,7 +3,6 @@
 
 use egui::{Pos2, Rect, Response, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2};
 use vides_document::EditedScene;
-use vides_engine::scene::{Channel, Track};
 
 use super::axis::Axis;
 use super::drag::Pass;

@@ -4,7 +4,9 @@ use egui::{PointerButton, Rangef, Shape};
 use egui_kittest::kittest::Queryable;
 use vides_document::Edit;
 use vides_engine::math::euler::EulerAngles;
-use vides_engine::scene::{Extrapolation, Interpolation, Node, Part, Scene, Warnings};
+use vides_engine::scene::{
+    Channel, Extrapolation, Interpolation, Node, Part, Scene, Track, Warnings,
+};
 
 use super::super::graph_drag::tests::apart;
 use super::super::tracks::tests::*;

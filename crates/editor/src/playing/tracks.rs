@@ -9,7 +9,7 @@ use egui::{
 };
 use vides_document::EditedScene;
 use vides_engine::path::Sampler;
-use vides_engine::scene::{FollowPath, Node, Track};
+use vides_engine::scene::{FollowPath, Node};
 
 use super::axis::APART;
 use super::axis::Axis;

@@ -5,7 +5,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use vides_document::{Document, Edit};
 use vides_engine::path::CameraPath;
-use vides_engine::scene::{Channel, Extrapolation, Interpolation, Kind, Part, Scene};
+use vides_engine::scene::{Channel, Extrapolation, Interpolation, Kind, Part, Scene, Track};
 
 use super::*;
 use crate::playing::track_rows::OUTSIDE;
