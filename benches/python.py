@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """What Python asks of a prepared path, beside `sample`: benches/python.py WHEEL
 
-The path of all benchmarks, a million poses; each in turn, the fastest of nine counts. Prints a
+The path of all benchmarks, a million poses; each in turn, the fastest of nine counts, in processor
+time, so that other work on the machine does not. Prints a
 Markdown table. NumPy and the wheel are installed below target/peers by pip.
 """
 
@@ -54,9 +55,9 @@ def main():
     best = [float("inf")] * len(rows)
     for _ in range(RUNS):
         for k, (_, call) in enumerate(rows):
-            begin = time.perf_counter()
+            begin = time.process_time()
             call()
-            best[k] = min(best[k], time.perf_counter() - begin)
+            best[k] = min(best[k], time.process_time() - begin)
     print(f"\n| a million poses of {POINTS} points in Python | ns a pose | ÷ `sample` |\n|---|---:|---:|")
     for (text, _), seconds in zip(rows, best):
         print(f"| {text} | {1e9 * seconds / POSES:.0f} | {seconds / best[0]:.1f} |")

@@ -115,8 +115,8 @@ fn pose_rows<'a>(array: &'a PyReadonlyArray2<'_, f64>) -> PyResult<&'a [[f64; WI
 }
 
 /// View and up of a pose.
-fn axes(row: &[f64; WIDTH]) -> [DVec3; 2] {
-    [3, 6].map(|k| DVec3::new(row[k], row[k + 1], row[k + 2]))
+fn axes(&[_, _, _, a, b, c, d, e, f, _]: &[f64; WIDTH]) -> [DVec3; 2] {
+    [DVec3::new(a, b, c), DVec3::new(d, e, f)]
 }
 
 /// Quaternions w x y z of poses: they rotate (0, 0, 1) to the view and (0, 1, 0) to the up.
