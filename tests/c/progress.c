@@ -47,6 +47,8 @@ static struct {
     int calls, in_range;
 } seen;
 
+static V_SCENE *seen_scene;
+
 static int progress(double share, void *user)
 {
     double time = now();
@@ -180,9 +182,47 @@ static void it_is_asked_often(void)
     v_path_free(other);
 }
 
+static int asks_the_scene(double share, void *user)
+{
+    V_SCENE *other = NULL;
+    double first;
+    int count, *calls = user;
+
+    (void)share;
+    STATUS(V_ERR_BUSY, v_scene_count(seen_scene, 0, "nodes", &count));
+    STATUS(V_ERR_BUSY, v_scene_frame_range(seen_scene, &first, NULL));
+    STATUS(V_ERR_BUSY, v_scene_set_number(seen_scene, "fps", 30));
+    OK(v_scene_new(&other));
+    OK(v_scene_count(other, 0, "nodes", &count));
+    v_scene_free(other);
+    ++*calls;
+    return 0;
+}
+
+/* Of a scene that the call works on nothing is waited for. */
+static void a_scene_in_use_is_busy(void)
+{
+    V_PATH *path = flight(2), *after = NULL;
+    int calls = 0, points = 0;
+
+    OK(v_scene_new(&seen_scene));
+    OK(v_scene_set_path(seen_scene, 0, path, 1, V_AFTER_HOLD));
+    OK(v_set_progress(asks_the_scene, &calls));
+    STATUS(V_ERR_REFUSED, v_scene_tool(seen_scene, 0, "tour", NULL, &object));
+    OK(v_set_progress(NULL, NULL));
+    CHECK(calls == 1);
+    OK(v_scene_get_path(seen_scene, 0, &after, NULL, NULL));
+    OK(v_path_point_count(after, &points));
+    CHECK(points == 25);
+    v_path_free(after);
+    v_path_free(path);
+    v_scene_free(seen_scene);
+}
+
 int main(void)
 {
     make_object();
+    a_scene_in_use_is_busy();
     each_call_ends();
     it_is_asked_often();
     return failures != 0;

@@ -3,7 +3,7 @@
 
 mod arguments;
 mod moved;
-mod options;
+pub mod options;
 mod table;
 
 use std::fmt;
@@ -35,7 +35,6 @@ pub use crate::cage::Cage;
 use crate::error::{EngineError, Error, Invalid, OutOfRange, Result};
 use arguments::{ToolArguments, chosen};
 pub use moved::moved;
-pub use options::ToolOptions;
 use table::{ABOUT, AXIS, FIRST, LAST, OF_DEFORM, OF_FIT, OF_TOUR, PUT, SEEN, TOOLS};
 use vides_engine::path::fit_frames::frames_of;
 use vides_engine::path::{CameraPath, Pose, Space, Target, Up};
