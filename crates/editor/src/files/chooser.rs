@@ -288,6 +288,7 @@ impl FileWindow {
         });
         ui.horizontal(|ui| {
             field(ui, texts.order);
+            ui.spacing_mut().item_spacing.x = 3.0 * theme::GAP;
             for (order, name) in [
                 (Order::Name, texts.by_name),
                 (Order::Date, texts.by_date),

@@ -283,7 +283,8 @@ fn show_in(editor: &mut Editor, ui: &mut Ui, viewport: Rect, covered: Option<Rec
     let name = editor.texts().space.name;
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Canvas, true, name));
     let context = ui.ctx().clone();
-    if std::mem::take(&mut editor.space.opened) && editor.document.edits_path() {
+    let opened = std::mem::take(&mut editor.space.opened);
+    if opened && editor.document.edits_path() && !editor.begins() {
         let projection = projection_of(editor, viewport);
         let places = along(&editor.document).into_iter();
         if !surface::fills(&projection, viewport, places)

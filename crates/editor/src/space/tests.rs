@@ -474,3 +474,45 @@ fn what_stands_above_the_space_keeps_its_presses() {
     );
     assert_eq!(harness.state().setup.view, before);
 }
+
+/// A small flight in a large space is brought into view when its file opens, and by F; what is begun
+/// around an object is seen with it.
+#[test]
+fn a_flight_that_opens_is_seen() {
+    use crate::tests::{At, Edit, LARGE, Language, Options, Theme, options, press, window_of};
+    let small = |file: Option<&str>| {
+        let mut document = Document::new();
+        for at in 0..2 {
+            let place = DVec3::new(0.5, 0.5 + 0.02 * at as f64, 0.5);
+            document
+                .apply(Edit::set(At::Point(at), "position", place))
+                .unwrap();
+        }
+        let options = Options {
+            document,
+            file: file.map(Into::into),
+            ..options(Language::English)
+        };
+        window_of(options, LARGE, 1.0, Theme::Dark)
+    };
+    let mut window = small(Some("flight.vid"));
+    let opened = window.state().setup.view;
+    assert!(opened.size > 10.0, "{opened:?}");
+    let viewport = window
+        .get_by_label(window.state().texts().space.name)
+        .rect();
+    let projection = projection_of(window.state(), viewport);
+    for point in &window.state().document.path().points {
+        assert!(
+            viewport
+                .shrink(20.0)
+                .contains(projection.pos(point.position))
+        );
+    }
+    window.state_mut().setup.view = View::default();
+    window.hover_at(viewport.center());
+    window.run();
+    press(&mut window, egui::Modifiers::NONE, Key::F);
+    assert_eq!(window.state().setup.view, opened);
+    assert_eq!(small(None).state().setup.view, View::default());
+}

@@ -41,7 +41,10 @@ impl SubWindow for HelpWindow {
         let column = ((screen.x - 100.0) / 2.0).max(KEYS);
         sub_window(context, Self::ID, texts.title, |ui| {
             let words = (texts.search, texts.search_hint);
-            theme::line_edit(ui, &mut self.search, "help.search", SEARCH, words);
+            ui.horizontal(|ui| {
+                ui.label(texts.search);
+                theme::line_edit(ui, &mut self.search, "help.search", SEARCH, words);
+            });
             let wanted = self.search.trim().to_lowercase();
             let fits = |(keys, meaning): &Row| {
                 let says = |words: &str| words.to_lowercase().contains(&wanted);
