@@ -1643,8 +1643,7 @@ int v_scene_remove_shape(V_SCENE *scene, int node, int at);
 
 /**
  * Gets the kind, parameters and box of an object's deformation. A box of 1 1 1 -1 -1
- * -1, which no other is, stands for the bounds of the geometry: give
- * v_scene_add_deformation() NULL then.
+ * -1 stands for the bounds of the geometry: give v_scene_add_deformation() NULL then.
  * V_ERR_ARGUMENT (no object).
  */
 int v_scene_get_deformation(const V_SCENE *scene, int node, int at,
@@ -1703,7 +1702,6 @@ int v_scene_vertices(const V_SCENE *scene, int node, double frame, double *xyz,
  * options  lines of name=value ("fps=30\nnode=camera"); NULL: none. The names are
  *     node, clip, frames, fps, times, start, size, up, scale, as, tolerance, angle,
  *     compact, digits and rotation-order; `vides convert --help` explains them.
- *     Names that a format does not use are ignored
  *
  * v_last_warning() lists what the format cannot hold, one per line.
  * V_ERR_ARGUMENT (also no such node, a host interpolation that fails), V_ERR_FORMAT
@@ -1810,7 +1808,7 @@ int v_editor_set_frame(V_EDITOR *editor, double frame);
 int v_editor_play(V_EDITOR *editor, int play);
 
 /**
- * Makes an orientation of a point current.
+ * Makes an orientation current.
  * V_ERR_ARGUMENT (no path is edited).
  */
 int v_editor_select(V_EDITOR *editor, int point, int orientation);
@@ -2128,9 +2126,9 @@ int v_pose_from_matrix(const double m[16], int convention, int to_world,
  *
  * convention  V_AXES_...; Blender and glTF use V_AXES_OPENGL
  * order  V_ORDER_...
- * angles  degrees about x, y and z, listed so for any order. The second turn is
- *     within -90 to 90, the others within -180 to 180. If it is 90 or -90, the
- *     others turn about the same axis and share its angle
+ * angles  degrees about x, y and z. The second turn is within -90 to 90, the others
+ *     within -180 to 180. If it is 90 or -90, the others turn about the same axis and
+ *     share its angle
  */
 int v_pose_to_euler(const V_POSE *pose, int convention, int order,
                     double angles[3]);

@@ -182,9 +182,9 @@ pub unsafe extern "C" fn v_pose_from_matrix(
 ///
 /// convention  V_AXES_...; Blender and glTF use V_AXES_OPENGL
 /// order  V_ORDER_...
-/// angles  degrees about x, y and z, listed so for any order. The second turn is
-///     within -90 to 90, the others within -180 to 180. If it is 90 or -90, the
-///     others turn about the same axis and share its angle
+/// angles  degrees about x, y and z. The second turn is within -90 to 90, the others
+///     within -180 to 180. If it is 90 or -90, the others turn about the same axis and
+///     share its angle
 /// cbindgen:ptrs-as-arrays=[[angles; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_pose_to_euler(

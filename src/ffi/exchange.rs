@@ -20,7 +20,6 @@ use crate::formats::{self, Format, Loss, Options, Report, Source};
 /// options  lines of name=value ("fps=30\nnode=camera"); NULL: none. The names are
 ///     node, clip, frames, fps, times, start, size, up, scale, as, tolerance, angle,
 ///     compact, digits and rotation-order; `vides convert --help` explains them.
-///     Names that a format does not use are ignored
 ///
 /// v_last_warning() lists what the format cannot hold, one per line.
 /// V_ERR_ARGUMENT (also no such node, a host interpolation that fails), V_ERR_FORMAT

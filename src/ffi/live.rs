@@ -87,7 +87,7 @@ pub unsafe extern "C" fn v_editor_play(editor: *mut V_EDITOR, play: c_int) -> c_
     })
 }
 
-/// Makes an orientation of a point current.
+/// Makes an orientation current.
 /// V_ERR_ARGUMENT (no path is edited).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_select(

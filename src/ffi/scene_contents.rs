@@ -225,8 +225,7 @@ pub unsafe extern "C" fn v_scene_remove_shape(
 }
 
 /// Gets the kind, parameters and box of an object's deformation. A box of 1 1 1 -1 -1
-/// -1, which no other is, stands for the bounds of the geometry: give
-/// v_scene_add_deformation() NULL then.
+/// -1 stands for the bounds of the geometry: give v_scene_add_deformation() NULL then.
 /// V_ERR_ARGUMENT (no object).
 /// cbindgen:ptrs-as-arrays=[[box; 6]]
 #[unsafe(no_mangle)]

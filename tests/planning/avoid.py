@@ -218,7 +218,7 @@ def tried(of, number, random):
         faults += fault(of, number, "a way between frames through the object")
     if len(coarse) != len(places(file, 1)):
         faults += fault(of, number, "another number of frames")
-    checked = run("check", out, "--object", of.file, f"--limit=clearance={clear / (2 * of.half)}", "--json")
+    checked = run("check", out, "--object", of.file, f"--limit=clearance={clear / 2}", "--json")
     found = [f for f in json.loads(checked.stdout) if f["kind"] in ("clearance", "through")]
     if found:
         faults += fault(of, number, "check finds", found[:2])
