@@ -269,10 +269,12 @@ impl Solid {
 }
 
 /// How bright the viewer's own lights make a face, in 0…1: the main one also reaches round, the weak
-/// one tells apart what it leaves equal.
+/// one tells apart what it leaves equal. What is seen of an object differs little in that, so it is
+/// spread.
 fn of_viewer(eye: &Eye, normal: DVec3) -> f64 {
     let [main, other] = eye.lights.map(|light| normal.dot(light));
-    0.7 * (0.5 + 0.5 * main) + 0.3 * other.max(0.0)
+    let light = 0.7 * (0.5 + 0.5 * main) + 0.3 * other.max(0.0);
+    (0.5 + 2.5 * (light - 0.6)).clamp(0.0, 1.0)
 }
 
 /// All visible objects with meshes: the path's own, and those of the scene.

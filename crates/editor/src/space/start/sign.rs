@@ -68,6 +68,16 @@ pub(super) fn pictures(around: Around, go_on: Progress<'_>) -> Vec<Option<Pictur
     pictures.collect()
 }
 
+/// Recorded poses as dots; the one at a fraction of them is larger.
+fn recording(painter: &Painter, at: Pos2, color: Color32, way: Option<f32>) {
+    let near = way.map(|way| (way * 7.0) as u8);
+    for step in 0..=6_u8 {
+        let x = f32::from(step) * 5.0 - 15.0;
+        let radius = if near == Some(step) { 3.2 } else { 1.8 };
+        painter.circle_filled(at + vec2(x, 5.0 * (x / 6.0).sin()), radius, color);
+    }
+}
+
 /// A small sign of a beginning around `at`; a camera is at a fraction of the path.
 pub(super) fn paint(painter: &Painter, begin: Begin, at: Pos2, color: Color32, way: Option<f32>) {
     let stroke = Stroke::new(1.5, color);
@@ -128,19 +138,7 @@ pub(super) fn paint(painter: &Painter, begin: Begin, at: Pos2, color: Color32, w
                 [15.0, 6.0],
             ]);
         }
-        Begin::Recording => {
-            let dots = (0..=6_u8).map(|step| {
-                let x = f32::from(step) * 5.0 - 15.0;
-                [x, 5.0 * (x / 6.0).sin()]
-            });
-            let dots: Vec<[f32; 2]> = dots.collect();
-            for [x, y] in &dots {
-                painter.circle_filled(at + vec2(*x, *y), 1.8, color);
-            }
-            if way.is_some() {
-                flown(&dots);
-            }
-        }
+        Begin::Recording => recording(painter, at, color, way),
         Begin::View => {
             line(&[
                 [-9.0, -6.0],
