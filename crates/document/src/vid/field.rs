@@ -9,13 +9,11 @@ use vides_engine::path::camera_path::check_shape;
 use vides_engine::path::{Space, Tcb};
 use vides_engine::property::{self, Kind, Stored};
 
-/// A piece of a file, with the whole text for line numbers.
+/// A file, for line numbers.
 #[derive(Clone, Copy)]
 pub struct Source<'a> {
-    /// The whole text.
+    /// Its text.
     pub text: &'a str,
-    /// Where the piece begins.
-    pub start: usize,
 }
 
 impl Source<'_> {
@@ -25,14 +23,14 @@ impl Source<'_> {
         self.complain(offset, Malformed::Toml(error.message().into()))
     }
 
-    /// An error at a byte offset of the piece.
+    /// An error at a byte offset.
     pub fn complain(self, offset: usize, cause: impl Into<Malformed>) -> Error {
         at_line(self.line(offset), cause)
     }
 
-    /// The line of a byte offset of the piece.
+    /// The line of a byte offset.
     pub fn line(self, offset: usize) -> usize {
-        let end = (self.start + offset).min(self.text.len());
+        let end = offset.min(self.text.len());
         let before = &self.text.as_bytes()[..end];
         1 + before.iter().filter(|&&byte| byte == b'\n').count()
     }
@@ -81,7 +79,7 @@ impl<'a> Field<'a> {
 
     /// Its byte offset in the file.
     pub fn offset(&self) -> usize {
-        self.source.start + self.offset
+        self.offset
     }
 
     /// Whether it is an array.
