@@ -1,5 +1,5 @@
 """The fit against SciPy, ground truth and recordings of others: fit.py LIBRARY FOLDER [COUNT]; with a
-FILE.svg in place of the folder it only draws the time by the number of poses (docs/guides/fit-growth.svg).
+FILE.svg in place of the folder it only draws the time by the number of poses.
 
 LIBRARY is libvides.so. COUNT recordings are made (300): smooth flights at 10 to 1,000 poses a second,
 with jitter, drops, noise (Gaussian, uniform), pauses, gaps, cuts and outliers; then those of evo's
