@@ -1,4 +1,5 @@
-"""The fit against SciPy, ground truth and recordings of others: fit.py LIBRARY FOLDER [COUNT]
+"""The fit against SciPy, ground truth and recordings of others: fit.py LIBRARY FOLDER [COUNT]; with a
+FILE.svg in place of the folder it only draws the time by the number of poses.
 
 LIBRARY is libvides.so. COUNT recordings are made (300): smooth flights at 10 to 1,000 poses a second,
 with jitter, drops, noise (Gaussian, uniform), pauses, gaps, cuts and outliers; then those of evo's
@@ -40,7 +41,8 @@ from scipy.spatial.transform import Rotation, RotationSpline
 
 library, folder = ctypes.CDLL(sys.argv[1]), pathlib.Path(sys.argv[2])
 count = int(sys.argv[3]) if len(sys.argv) > 3 else 300
-folder.mkdir(parents=True, exist_ok=True)
+if folder.suffix != ".svg":
+    folder.mkdir(parents=True, exist_ok=True)
 LENGTH, DEGREES = 0.01, 0.5
 LADDER = [0.25, 0.5, 2.0, 4.0, 16.0]
 SECONDS = [(60.0, 20.0), (300.0, 10.0), (1000.0, 4.0)]
@@ -229,8 +231,8 @@ def beside_scipy(recording, path):
 
 def better(report):
     """The options that a report names, by their names."""
-    line = report.split("\n")[-1]
-    named = re.findall(r"(tolerance|angle) of ([-+.e\d]*\d)", line) if line.startswith("noise") else []
+    _, noise, helps = report.partition("Noise of about ")
+    named = re.findall(r"(tolerance|angle) of ([-+.e\d]*\d)", helps) if noise else []
     return {name: float(value) for name, value in named}
 
 
@@ -342,21 +344,49 @@ def timed(poses, pipe):
     pipe.send((path.points, time.process_time() - began, resource.getrusage(resource.RUSAGE_SELF).ru_maxrss, before))
 
 
+def in_a_process(poses):
+    """Points, seconds and memory of so many poses, and the memory before."""
+    pipe, end = multiprocessing.Pipe()
+    process = multiprocessing.Process(target=timed, args=(poses, end))
+    process.start()
+    found = pipe.recv()
+    process.join()
+    return found
+
+
 def growth(most):
     faults = []
     for poses, seconds in ((3000, 0.5), (10000, 20.0), (100000, 20.0), (1000000, 300.0)):
         if poses > most:
             break
-        pipe, end = multiprocessing.Pipe()
-        process = multiprocessing.Process(target=timed, args=(poses, end))
-        process.start()
-        points, took, memory, before = pipe.recv()
-        process.join()
+        points, took, memory, before = in_a_process(poses)
         slow = took > seconds or memory > 1e6
         print(f"{poses} poses: {points} points in {took:.2f} s, {memory / 1e3:.0f} MB ({before / 1e3:.0f} before)"
               f"{' FAULT' if slow else ''}")
         faults += [poses] * slow
     return faults
+
+
+def draw(file):
+    """Seconds by the number of poses: linear is as steep as the grey lines."""
+    x = lambda poses: 70 + 150 * (np.log10(poses) - 3)
+    y = lambda seconds: 250 - 45 * (np.log10(seconds) + 2)
+    parts = ['<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 560 310" font-family="sans-serif" font-size="13">',
+             '<rect width="560" height="310" fill="#fff"/>']
+    for k, name in enumerate(("10 ms", "100 ms", "1 s", "10 s", "100 s")):
+        parts.append(f'<text x="62" y="{y(10.0 ** (k - 2)) + 4:.0f}" text-anchor="end">{name}</text>'
+                     f'<path d="M70 {y(10.0 ** (k - 2)):.0f}H520" stroke="#eee"/>')
+    for k in (-5.5, -4.5, -3.5):
+        parts.append(f'<path d="M{x(1e3):.0f} {y(10.0 ** (k + 3)):.1f}L{x(1e6):.0f} {y(10.0 ** (k + 6)):.1f}" stroke="#ccc"/>')
+    measured = [(10 ** k, in_a_process(10 ** k)) for k in range(3, 7)]
+    for poses, (points, took, memory, before) in measured:
+        print(f"{poses} poses: {points} points in {took:.2f} s, {memory / 1e3:.0f} MB ({before / 1e3:.0f} before)")
+        parts.append(f'<text x="{x(poses):.0f}" y="272" text-anchor="middle">{poses:,}</text>'
+                     f'<circle cx="{x(poses):.0f}" cy="{y(took):.1f}" r="3" fill="#1f6fb2"/>')
+    line = " ".join(f"{x(poses):.0f},{y(took):.1f}" for poses, (_, took, *_) in measured)
+    parts.append(f'<polyline points="{line}" fill="none" stroke="#1f6fb2" stroke-width="2"/>')
+    parts.append('<text x="295" y="298" text-anchor="middle">poses</text>')
+    file.write_text("\n".join([*parts, "</svg>"]) + "\n")
 
 
 def table(results):
@@ -378,6 +408,9 @@ def table(results):
 
 
 if __name__ == "__main__":
+    if folder.suffix == ".svg":
+        draw(folder)
+        sys.exit()
     results, faults = [], 0
     for number in range(count):
         results.append(result := made(number))

@@ -7,6 +7,7 @@
 //! pose after all, it is made again with the noise left in.
 
 mod calm;
+mod choice;
 mod corners;
 mod holds;
 mod joins;
@@ -26,7 +27,7 @@ pub use time_unit::TimeUnit;
 
 use glam::{DQuat, DVec3};
 
-use report::Measured;
+use choice::Made;
 
 use crate::error::{Error, Invalid, OutOfRange, Result, TooMany, vec_with_room};
 use crate::limits::MAX_POINTS;
@@ -180,10 +181,21 @@ struct Piece {
     length: f64,
     /// At its ends the share of the way in a frame, and by how much that grows in one.
     speeds: [[f64; 2]; 2],
+    /// The mean squares by which it misses the splines: of positions, and of views and lens.
+    missed: [f64; 2],
     /// Nothing moves: the frames are those of a hold.
     holds: bool,
     /// It begins at a corner, where no acceleration goes on.
     corner: bool,
+}
+
+/// All of a path.
+struct Pieces {
+    all: Vec<Piece>,
+    /// Where the last one ends.
+    end: Sample,
+    /// Whether positions and views move evenly.
+    even: [bool; 2],
 }
 
 /// What a piece takes over from the one before.
@@ -274,17 +286,6 @@ pub fn fit_points(
     best.ok_or_else(|| OutOfRange::TooFewFittedPoints.into())
 }
 
-/// What is tried in turn, with such a share of the tolerance: a smaller one may need fewer points.
-const TRIES: [(Follow, f64); 7] = [
-    (Follow::Smoothly, 1.0),
-    (Follow::Smoothly, 0.5),
-    (Follow::Smoothly, 0.2),
-    (Follow::Smoothly, 0.1),
-    (Follow::Smoothly, 0.05),
-    (Follow::Exactly, 1.0),
-    (Follow::ByPoints, 1.0),
-];
-
 /// How closely a path follows its poses.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Follow {
@@ -296,37 +297,13 @@ enum Follow {
     ByPoints,
 }
 
-/// A path of so many points has more than a third of the poses.
-const MANY: usize = 3;
-
-/// Of more than one pose of this many they are noise, no outliers.
-const MOST_OUTLIERS: usize = 20;
-
-/// So many standard deviations of a coordinate no noise is far from the flight.
-const BEYOND_NOISE: f64 = 5.0;
-
-/// More deviations than bounded noise can have.
-const BOUNDED: f64 = 3.5;
-
-/// Multiples of that which are tried for a better tolerance.
-const BETTER: [f64; 3] = [1.0, 1.5, 2.0];
-
-/// The share of the tolerance by which pieces may then miss the splines, which know better than a pose.
-const NEAR: f64 = 0.1;
-
-/// At its worst a smooth path may be farther off by this factor.
-const AS_NEAR: f64 = 1.5;
-
-/// With more poses than this for a frame, most noise between frames cannot be met.
-const BETWEEN: f64 = 1.2;
-
 impl Data {
     fn made(&mut self, options: &Options, poses: usize, progress: Progress<'_>) -> Result<Fitted> {
         if options.robust {
             self.leave_out()?;
         }
         (self.cuts, self.gaps) = self.jumps()?;
-        let (path, measured) = self.best(progress)?;
+        let Made { path, measured, .. } = self.best(progress)?;
         let outliers = self.outliers();
         let mut left_out = vec_with_room(outliers.clone().count())?;
         left_out.extend(outliers);
@@ -337,146 +314,6 @@ impl Data {
             report,
             deviations: measured.each,
         })
-    }
-
-    /// What a robust fit leaves out, and its points, if it needs at most half of those of a fit that
-    /// was not robust.
-    fn robust(mut self, report: &Report, progress: Progress<'_>) -> Result<Option<(usize, usize)>> {
-        match self.leave_out() {
-            Err(Error::Argument(Invalid::Outliers { .. })) => return Ok(None),
-            done => done?,
-        }
-        let outliers = self.outliers().count();
-        if outliers == 0 || MOST_OUTLIERS * outliers > report.poses {
-            return Ok(None);
-        }
-        (self.cuts, self.gaps) = self.jumps()?;
-        let points = match self.best(progress) {
-            Ok((path, _)) => path.points.len(),
-            Err(Error::Limit(_)) => return Ok(None),
-            Err(error) => return Err(error),
-        };
-        Ok((3 * points <= 2 * report.points).then_some((outliers, points)))
-    }
-
-    /// Where there are many points, a tolerance beyond the noise if it needs at most half of them.
-    fn better(
-        &mut self,
-        report: &Report,
-        progress: Progress<'_>,
-    ) -> Result<Option<(Tolerance, usize)>> {
-        if MANY * report.points <= report.poses {
-            return Ok(None);
-        }
-        for tolerance in self.beyond_noise([report.noise, report.turning_noise.to_radians()]) {
-            let Some((path, _)) = self.with(tolerance, progress)? else {
-                continue;
-            };
-            if 2 * path.points.len() <= report.points {
-                return Ok(Some((tolerance, path.points.len())));
-            }
-        }
-        Ok(None)
-    }
-
-    /// Tolerances beyond the noise of positions and of views (radians), the smallest first.
-    fn beyond_noise(&self, noises: [f64; 2]) -> impl Iterator<Item = Tolerance> + use<> {
-        let given = [self.tolerance, self.angle.to_degrees()];
-        let noises = [noises[0], noises[1].to_degrees()];
-        BETTER.into_iter().filter_map(move |times| {
-            let beyond = noises.map(|noise| round_up(times * BEYOND_NOISE * noise));
-            let larger = beyond[0] > given[0] || beyond[1] > given[1];
-            larger.then(|| Tolerance {
-                position: beyond[0].max(given[0]),
-                angle: beyond[1].max(given[1]).min(180.0),
-            })
-        })
-    }
-
-    /// The nearest path with another tolerance; none if it needs too many points.
-    fn with(
-        &mut self,
-        tolerance: Tolerance,
-        progress: Progress<'_>,
-    ) -> Result<Option<(CameraPath, Measured)>> {
-        let given = [self.tolerance, self.angle];
-        [self.tolerance, self.angle] = [tolerance.position, tolerance.angle.to_radians()];
-        let made = self.nearest(progress);
-        [self.tolerance, self.angle] = given;
-        match made {
-            Err(Error::Limit(_)) => Ok(None),
-            made => made.map(Some),
-        }
-    }
-
-    /// The nearest path; but where none can meet poses between its frames, as they are noise, a
-    /// smooth one of fewer points that is about as near at its worst.
-    fn best(&mut self, progress: Progress<'_>) -> Result<(CameraPath, Measured)> {
-        let mut best = self.nearest(progress)?;
-        let frames = self.times[self.times.len() - 1];
-        if best.1.worst <= WITHIN || self.poses() as f64 <= BETWEEN * frames {
-            return Ok(best);
-        }
-        for tolerance in self.beyond_noise(self.noises()?) {
-            self.near = [self.tolerance, self.angle].map(|given| NEAR * given);
-            let made = self.with(tolerance, progress);
-            self.near = [f64::INFINITY; 2];
-            let Some(made) = made? else {
-                continue;
-            };
-            let turned = made.1.view.greatest.max(made.1.lens.greatest).to_radians();
-            let worst = (made.1.position.greatest / self.tolerance).max(turned / self.angle);
-            if worst <= AS_NEAR * best.1.worst && made.0.points.len() < best.0.points.len() {
-                best = made;
-                break;
-            }
-        }
-        Ok(best)
-    }
-
-    /// The path of fewest points that meets all poses, else the one that misses them least.
-    fn nearest(&mut self, progress: Progress<'_>) -> Result<(CameraPath, Measured)> {
-        self.calm_down(false)?;
-        if self.stands() {
-            let path = self.standing(self.times[self.times.len() - 1])?;
-            let measured = self.measured(&path)?;
-            return Ok((path, measured));
-        }
-        let noises = self.noises()?;
-        let mut best: Option<(CameraPath, Measured)> = None;
-        for (follow, share) in TRIES {
-            let given = [self.tolerance, self.angle];
-            let met = best.as_ref().filter(|best| best.1.worst <= WITHIN);
-            // Less than the noise no spline follows by few points.
-            let within_noise = (0..2).any(|k| share * given[k] < BOUNDED * noises[k]);
-            if best.is_some() && share < 1.0 && within_noise {
-                continue;
-            }
-            if met.is_some() && follow != Follow::Smoothly {
-                break;
-            }
-            // Where a path meets all poses, only one of fewer points is better.
-            let most = met.map_or(usize::MAX, |met| met.0.points.len() - 1);
-            let path = match self.fitted(follow, share, most, progress) {
-                Err(Error::Limit(_)) if best.is_some() => continue,
-                path => path?,
-            };
-            let Some(path) = path else { continue };
-            if path.points.len() > self.poses() && follow != Follow::ByPoints {
-                continue;
-            }
-            let measured = self.measured(&path)?;
-            let key = |path: &CameraPath, measured: &Measured| {
-                (measured.worst.max(WITHIN), path.points.len())
-            };
-            if best
-                .as_ref()
-                .is_none_or(|best| key(&path, &measured) < key(&best.0, &best.1))
-            {
-                best = Some((path, measured));
-            }
-        }
-        best.ok_or_else(|| Invalid::TooFewPoses.into())
     }
 
     /// Whether all poses are one within the tolerance.
@@ -496,32 +333,13 @@ impl Data {
         }
     }
 
-    /// None if it needs more than `most` points.
-    fn fitted(
-        &mut self,
-        follow: Follow,
-        share: f64,
-        most: usize,
-        progress: Progress<'_>,
-    ) -> Result<Option<CameraPath>> {
-        let given = [self.tolerance, self.angle];
-        [self.tolerance, self.angle] = given.map(|given| share * given);
-        let pieces = self.pieces(follow, most, progress);
-        [self.tolerance, self.angle] = given;
-        let Some((mut pieces, end)) = pieces? else {
-            return Ok(None);
-        };
-        self.even_out(&mut pieces)?;
-        self.path(&pieces, end).map(Some)
-    }
-
-    /// The pieces, and where the last one ends.
+    /// The pieces; none if they are more than `most`.
     fn pieces(
         &mut self,
         follow: Follow,
         most: usize,
         progress: Progress<'_>,
-    ) -> Result<Option<(Vec<Piece>, Sample)>> {
+    ) -> Result<Option<Pieces>> {
         let last = self.raw.len() - 1;
         let mut go_on = |done: usize| {
             if progress(done, last) {
@@ -574,7 +392,11 @@ impl Data {
             }
             number += over;
         }
-        Ok(Some((pieces, joint.sample)))
+        Ok(Some(Pieces {
+            all: pieces,
+            end: joint.sample,
+            even: motion.peaks.even,
+        }))
     }
 
     /// View and up of the world as a quaternion in y-up axes.
@@ -649,17 +471,6 @@ impl Data {
         point.orientations[0].own = point.orientations[0].own.with(own)?;
         Ok(point)
     }
-}
-
-/// To two digits.
-fn round_up(number: f64) -> f64 {
-    if !(number > 0.0 && number.is_finite()) {
-        return 0.0;
-    }
-    let digit = 10f64.powf(number.log10().floor() - 1.0);
-    let rounded = (number / digit).ceil() * digit;
-    // As a decimal it is the number that is shown.
-    format!("{rounded:.1e}").parse().unwrap_or(number)
 }
 
 /// The vertical field of view (radians) of a picture 24 mm high.

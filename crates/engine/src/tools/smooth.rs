@@ -18,14 +18,14 @@ const ROUNDS: usize = 30;
 /// exactly with its noise, it would draw the spline far away from its neighbours.
 const PATIENT: usize = 15;
 
-/// Weights for noise are at most so many times heavier, and are halved so many times into the
-/// logarithms between.
+/// Weights for noise: so many times heavier at most, halvings between the logarithms.
 const HEAVIEST: f64 = 1e-14;
 const HALVINGS: usize = 8;
 
 /// By how much the residual may exceed the noise, and how many deviations of what so many rows say
-/// of both.
+/// of both; and such a share of that with outliers, or what bends would seem to be one.
 const RESIDUAL: [f64; 2] = [1.02, 4.0];
+const FOLLOWED: f64 = 0.75;
 
 /// The standard deviation of normal noise in medians of its sizes.
 const DEVIATION_IN_MEDIANS: f64 = 1.4826;
@@ -252,8 +252,7 @@ impl<const N: usize> Spline<N> {
     }
 
     /// Near the rows except a few that are far off (P. J. Huber, *Robust estimation of a location
-    /// parameter*, 1964): beyond `bound` a row pulls no more than at it, and those left out not at
-    /// all.
+    /// parameter*, 1964): beyond `bound` a row pulls no more, and those left out not at all.
     pub(crate) fn robust(
         times: &[f64],
         rows: &[[f64; N]],
@@ -267,7 +266,8 @@ impl<const N: usize> Spline<N> {
         let mut all = step * step * step;
         if noise > 0.0 {
             let counts = |k: usize| !left_out[k];
-            let least = spline.light_for(rows, &counts, noise, LIGHT * all, &mut || Ok(()))?;
+            let most = FOLLOWED * noise;
+            let least = spline.light_for(rows, &counts, most, LIGHT * all, &mut || Ok(()))?;
             all = all.max(least);
         }
         light.extend(

@@ -88,6 +88,8 @@ pub(super) struct Peaks {
     pub greatest: [f64; 2],
     /// What noise may make of them.
     pub unsure: [f64; 2],
+    /// Whether there is a motion, but nearly none.
+    pub even: [bool; 2],
 }
 
 /// So many standard deviations of what noise leaves in an acceleration say nothing.
@@ -270,15 +272,18 @@ impl Data {
             stretches.push(stretch);
         }
         let [speeds, mut greatest] = most;
-        for (peak, speed) in greatest.iter_mut().zip(speeds) {
-            if *peak < EVEN * speed / self.fps {
-                *peak = UNSEEN * speed / self.fps;
-            }
+        let even = [0, 1].map(|k| greatest[k] < EVEN * speeds[k] / self.fps);
+        for k in (0..2).filter(|k| even[*k]) {
+            greatest[k] = UNSEEN * speeds[k] / self.fps;
         }
         Ok(Motion {
             parts,
             stretches,
-            peaks: Peaks { greatest, unsure },
+            peaks: Peaks {
+                greatest,
+                unsure,
+                even,
+            },
         })
     }
 

@@ -215,6 +215,7 @@ impl Data {
             zoom_slopes: [end.zoom - start.zoom; 2],
             length: a.distance(b),
             speeds: [[1.0 / frames, 0.0]; 2],
+            missed: [0.0; 2],
             holds: false,
             corner: false,
         })
@@ -317,15 +318,17 @@ impl Data {
                 return Ok(None);
             }
         }
-        let far = course.states.iter().zip(&ways).any(|(state, way)| {
-            let [far, zoom] = [
-                place(*way).distance(state.sample.position),
-                state.sample.zoom,
+        let mut missed = [0.0; 2];
+        for (state, way) in course.states.iter().zip(&ways) {
+            let sample = &state.sample;
+            let far = [
+                place(*way).distance(sample.position),
+                sample.off(bezier(&control, *way), sample.zoom),
             ];
-            far > self.near[0] || state.sample.off(bezier(&control, *way), zoom) > self.near[1]
-        });
-        if far && !course.must {
-            return Ok(None);
+            if !course.must && (0..2).any(|k| far[k] > self.near[k]) {
+                return Ok(None);
+            }
+            missed = [0, 1].map(|k| missed[k] + far[k] * far[k] / (MOMENTS + 1) as f64);
         }
         let piece = Piece {
             frames: whole(frames),
@@ -343,6 +346,7 @@ impl Data {
             curve: way.curve,
             length: way.length,
             pace: way.pace,
+            missed,
             holds: false,
             corner: false,
         };
@@ -357,7 +361,9 @@ impl Data {
     fn shares(&self, course: &Course, shares: [f64; 2]) -> [f64; 2] {
         let nothing = NOTHING / (self.fps * self.fps);
         let least = [self.tolerance, self.angle].map(|tolerance| nothing * tolerance);
-        let Peaks { greatest, unsure } = course.peaks;
+        let Peaks {
+            greatest, unsure, ..
+        } = course.peaks;
         [0, 1].map(|k| (shares[k] * greatest[k]).max(least[k]).max(unsure[k]))
     }
 
@@ -489,6 +495,7 @@ pub(super) fn rest(frames: f64, joint: Joint) -> Piece {
         zoom_slopes: [0.0; 2],
         speeds: [[0.0; 2]; 2],
         length: 0.0,
+        missed: [0.0; 2],
         holds: true,
         corner: false,
     }

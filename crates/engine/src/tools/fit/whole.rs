@@ -105,7 +105,9 @@ impl Data {
             };
             let place = |way: f64| curve.point(arc.parameter_at(way * arc.length()));
             course.must = true;
-            if let Some(piece) = self.finished(&course, way, &place)? {
+            if let Some(piece) = self.finished(&course, way, &place)?
+                && (0..2).all(|k| piece.missed[k].sqrt() <= self.near[k])
+            {
                 return Ok(Some(piece));
             }
             course.must = false;
@@ -161,7 +163,8 @@ impl Data {
         let (first, last) = (stretch.first, stretch.last);
         let [begin, end] = stretch.frames;
         let skip = (last - first).div_ceil(POSES).max(1);
-        let to = self.raw[last].position;
+        // The last pose may be behind the frame at which it ends.
+        let to = stretch.at(end).sample.position;
         let mut step = [DVec3::ZERO; 2];
         let mut best: Option<(f64, f64, [DVec3; 2])> = None;
         for _ in 0..ROUNDS {
