@@ -147,12 +147,11 @@ impl Data {
     }
 
     /// The nearest path; but where none can meet poses between its frames, as they are noise, a
-    /// smooth one of fewer points that is about as near at its worst; where one can, of at most half
-    /// as many.
+    /// smooth one of fewer points that is about as near at its worst.
     pub(super) fn best(&mut self, progress: Progress<'_>) -> Result<Made> {
         let mut best = self.nearest(progress)?;
         let frames = self.times[self.times.len() - 1];
-        if self.poses() as f64 <= BETWEEN * frames {
+        if best.measured.worst <= WITHIN || self.poses() as f64 <= BETWEEN * frames {
             return Ok(best);
         }
         for tolerance in self.beyond_noise(self.noises()?) {
@@ -166,14 +165,7 @@ impl Data {
             let turned = measured.view.greatest.max(measured.lens.greatest);
             let worst =
                 (measured.position.greatest / self.tolerance).max(turned.to_radians() / self.angle);
-            // Jerks that meet the poses are worth few points.
-            let most = if best.measured.worst > WITHIN {
-                best.points() - 1
-            } else {
-                best.points() / 2
-            };
-            let near = worst <= AS_NEAR * best.measured.worst.max(1.0);
-            if near && made.points() <= most {
+            if worst <= AS_NEAR * best.measured.worst && made.points() < best.points() {
                 best = made;
                 break;
             }
