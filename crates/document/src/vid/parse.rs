@@ -64,7 +64,7 @@ fn no_memory<E>(_: E) -> Stop {
 
 pub(super) struct Parser<'a> {
     tokens: Tokens<'a>,
-    /// Where the piece begins, what stands before the statement, and the statement itself.
+    /// Where the piece, the text before the statement and the statement itself begin.
     piece: usize,
     begin: usize,
     start: usize,
@@ -406,7 +406,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// What is not a part of the file's text is a copy, and there is one in words about it.
+    /// What is not a part of the file's text is a copy, and one message describes it.
     fn pay_for_text(&mut self, span: Span, kind: TokenKind) -> Result<()> {
         let copied = kind.encoding().is_some() || span.len() > 40;
         self.pay(if copied {

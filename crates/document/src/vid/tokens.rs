@@ -81,7 +81,7 @@ impl<'a> Tokens<'a> {
         self.takes(kind).then_some(()).ok_or(None)
     }
 
-    /// What stands there.
+    /// The token at this place.
     pub(super) fn raw(&self, span: Span, kind: TokenKind) -> Raw<'a> {
         let text = self.text.get(span.start()..span.end());
         Raw::new_unchecked(text.unwrap_or(""), kind.encoding(), span)

@@ -228,7 +228,7 @@ impl Editor {
         }
     }
 
-    /// The example in place of the open path; it has no file, so it is not overwritten.
+    /// The example in place of the open path; without a file, so that nothing overwrites it.
     fn show_example(&mut self) {
         let example = Document::from_toml(include_str!("../../texts/example.vid"));
         match example.and_then(|document| self.of_host(document)) {

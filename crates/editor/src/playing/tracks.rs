@@ -286,7 +286,7 @@ fn pressed(
     }
 }
 
-/// The selection after a click at some, whose keys are told.
+/// The selection after a click at some, with the modifier keys.
 pub(super) fn chosen<T: Clone + PartialEq>(
     mut all: Vec<T>,
     clicked: Vec<T>,

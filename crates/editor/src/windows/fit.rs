@@ -58,7 +58,7 @@ fn short(language: Language, value: f64) -> String {
 }
 
 impl FitShown {
-    /// Of a path that begins so many frames after the film does.
+    /// Shows a path that begins `later` frames after the film.
     pub(super) fn new(made: FitResult, later: f64) -> Self {
         let all = made.deviations;
         let each = all.len().div_ceil(PLACES).max(1);

@@ -18,7 +18,7 @@ const ROUNDS: usize = 30;
 /// exactly with its noise, it would draw the spline far away from its neighbours.
 const PATIENT: usize = 15;
 
-/// Weights for noise: so many times heavier at most, halvings between the logarithms.
+/// Weights for noise: at most this many times heavier, halvings between the logarithms.
 const HEAVIEST: f64 = 1e-14;
 const HALVINGS: usize = 8;
 

@@ -51,7 +51,7 @@ pub(crate) struct Eye {
     pub(crate) front: f64,
     /// What lies this much behind a face is on it: absolute, and as a share of its nearness.
     pub(crate) slack: [f64; 2],
-    /// From where the viewer's light comes, see [`crate::space::projection::lights`].
+    /// From where the viewer's light comes, see `space::projection::lights`.
     pub(crate) lights: [DVec3; 2],
     /// The picture, in points, and its pixels.
     pub(crate) rect: Rect,

@@ -17,13 +17,13 @@ const TRIES: [(Follow, f64); 7] = [
     (Follow::ByPoints, 1.0),
 ];
 
-/// A path of so many points has more than a third of the poses.
+/// A path with more than a third as many points as poses has too many.
 const MANY: usize = 3;
 
 /// Of more than one pose of this many they are noise, no outliers.
 const MOST_OUTLIERS: usize = 20;
 
-/// So many standard deviations of a coordinate no noise is far from the flight.
+/// No noise is farther from the flight than this many standard deviations of a coordinate.
 const BEYOND_NOISE: f64 = 5.0;
 
 /// More deviations than bounded noise can have.
@@ -41,15 +41,15 @@ const AS_NEAR: f64 = 1.5;
 /// With more poses than this for a frame, most noise between frames cannot be met.
 const BETWEEN: f64 = 1.2;
 
-/// Noise of so many tolerances counts, in an even motion less.
+/// The least noise that counts, in tolerances; in an even motion less counts.
 const LITTLE_NOISE: f64 = 0.085;
 const LEAST_NOISE: f64 = 0.02;
 
 /// Tried one after the other as distances from the splines, in tolerances,
 const CLOSER: [f64; 3] = [0.3, 0.15, 0.08];
 
-/// until the root of their mean square is this, with at most so many points more, and
-/// none beyond so many.
+/// until the root of their mean square is this, with at most this many points more, and
+/// at most this many in all.
 const ENOUGH: f64 = 0.07;
 const SOME_MORE: usize = 3;
 const AT_MOST: usize = 32;
