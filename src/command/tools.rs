@@ -47,7 +47,7 @@ fn declare(tool: &Tool) -> Command {
         Needs::Block => command.arg(file("other", "OTHER.vid", "The other path")),
         _ => command,
     };
-    let command = command.args(tool.own_parameters().map(option));
+    let command = command.args(tool.alone().parameters().map(option));
     let command = match tool.name {
         _ if tool.is_move() => moves::Options::augment_args(command),
         "avoid" => avoid::Options::augment_args(command).mut_arg("clearance", |arg| {
@@ -129,7 +129,7 @@ impl FromArgMatches for Call {
         let (tool, matches) = found.ok_or(clap::Error::new(ErrorKind::MissingSubcommand))?;
         Ok(Self {
             tool,
-            given: Given::of(tool.own_parameters(), matches),
+            given: Given::of(tool.alone().parameters(), matches),
             output: Output::from_arg_matches(matches)?,
             matches: matches.clone(),
         })

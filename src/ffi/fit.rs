@@ -53,7 +53,7 @@ pub unsafe extern "C" fn v_path_fit_poses(
         // SAFETY: a zero-terminated text, as the header says.
         let lines = optional(options, |options| unsafe { text(options, "options") })?;
         let tool = tools().find(|tool| tool.needs() == Needs::Poses);
-        let tool = tool.ok_or_else(|| Failure::NoTool("fit".into()))?;
+        let tool = tool.ok_or_else(|| Failure::NoTool("fit".into()))?.alone();
         let given = named(tool.options(&Document::try_new()?, lines.unwrap_or("")))?;
         let more = |name: &str| given.more(name).map(|numbers| numbers[0]);
         let usual = Tolerance::usual(poses);

@@ -373,7 +373,8 @@ static void frames_follow_length(void)
     OK(v_path_set_text(path, "curve", "linear"));
     for (k = 0; k < 4; k++) {
         place[0] = ways[k];
-        OK(k < 2 ? v_path_set_position(path, at[k], place) : v_path_insert_point(path, at[k], place));
+        OK(k < 2 ? v_path_set_numbers(path, v_path_key(at[k], -1, "position"), place, 3)
+                 : v_path_insert_point(path, at[k], place));
     }
     OK(tool(path, "frames", NULL, "frames=301"));
     for (round = 0; round < 3; round++) {
@@ -382,7 +383,7 @@ static void frames_follow_length(void)
         CHECK(frames[0] == (round == 0 ? 100 : 17) && frames[2] == 100);
         CHECK(frames[1] == (round == 0 ? 100 : round == 1 ? 183 : 383));
         place[0] = -0.7;
-        OK(v_path_set_position(path, 1, place));
+        OK(v_path_set_numbers(path, v_path_key(1, -1, "position"), place, 3));
         if (round == 1) {
             OK(v_path_set_flag(path, v_path_key(0, 0, "locked"), 1));
             OK(v_path_set_flag(path, v_path_key(2, 0, "locked"), 1));

@@ -36,6 +36,7 @@ use crate::error::{EngineError, Error, Invalid, OutOfRange, Result};
 use arguments::{ToolArguments, chosen};
 pub use moved::moved;
 use table::{ABOUT, AXIS, FIRST, LAST, OF_DEFORM, OF_FIT, OF_TOUR, PUT, SEEN, TOOLS};
+use vides_engine::path::change_up::change_up;
 use vides_engine::path::fit_frames::frames_of;
 use vides_engine::path::{CameraPath, Pose, Space, Target, Up};
 
@@ -223,10 +224,13 @@ impl Tool {
         self.tables.into_iter().flatten()
     }
 
-    /// Those of a tool that makes a path which is not put into another; else all.
-    pub fn own_parameters(&self) -> impl Iterator<Item = &'static Parameter> + use<> {
-        let shared = if self.can_add() { &[] } else { self.tables[1] };
-        self.tables[0].iter().chain(shared)
+    /// The tool without the parameters that put its path into another.
+    #[must_use]
+    pub fn alone(mut self) -> Self {
+        if self.can_add() {
+            self.tables[1] = &[];
+        }
+        self
     }
 
     /// What it takes in text options besides its parameters; none has a default.
@@ -501,7 +505,12 @@ impl Tool {
             }
             (Kind::Fit, ToolInput::Poses(poses, seconds, up)) => {
                 let recorded = (&poses[..], seconds.as_deref(), *up);
-                let (path, result) = given.fitted(recorded, progress)?;
+                let (fitted, result) = given.fitted(recorded, progress)?;
+                // A part of a film has its up axis.
+                let path = match chosen(given.number("put")) {
+                    0 => fitted,
+                    _ => change_up(&fitted, document.path().space.up)?,
+                };
                 return Ok(Made {
                     fit: Some(result),
                     ..Some(put(path)).into()
