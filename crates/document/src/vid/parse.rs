@@ -238,7 +238,6 @@ impl<'a> Parser<'a> {
                 TokenKind::Comment => {
                     let comment = self.tokens.comment()?;
                     if self.keep != Keep::Nothing {
-                        self.pay(2 * comment.len() + 2)?;
                         self.within
                             .try_reserve(comment.len() + 1)
                             .map_err(no_memory)?;
