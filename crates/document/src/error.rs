@@ -54,7 +54,7 @@ pub enum Error {
     /// Parsing from this line could take too much memory.
     #[error(
         "line {0}: what begins here could take more than {most} MiB of memory to be read",
-        most = limits::MAX_TREE_BYTES >> 20
+        most = limits::MAX_PARSE_BYTES >> 20
     )]
     PieceTooLarge(usize),
     /// A mesh file is invalid.

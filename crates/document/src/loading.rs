@@ -38,11 +38,9 @@ impl Document {
     /// # Errors
     /// `ErrorKind::Format` with line and reason.
     pub fn scene_from_toml(text: &str, folder: &Path) -> Result<(Self, Vec<Error>)> {
-        let (scene, info, comments) = vid::scene_from_toml(text)?;
-        if let Some(follow) = vid::alone(&scene) {
-            let comments = comments.of_path_alone(scene.ids()[0]);
-            let mut document = Self::from_parts(follow.path().clone(), info)?;
-            document.read_from(text, comments);
+        let (scene, info) = vid::scene_from_toml(text)?;
+        if vid::alone(&scene).is_some() {
+            let mut document = Self::from_toml(text)?;
             let warnings = document.read_object(folder)?;
             return Ok((document, Vec::from_iter(warnings)));
         }
@@ -54,8 +52,9 @@ impl Document {
         warnings.extend(mesh_file::read_object(&mut loaded.info, space, folder)?);
         let (edited, path) = edited_scene::as_shown(loaded.scene)?;
         let mut document = Self::from_parts(path, loaded.info)?;
-        document.read_from(text, comments.of_scene(edited.scene()));
+        document.content.comments = Arc::new(Comments::of_scene(text, edited.scene())?);
         document.content.scene = Some(Arc::new(edited));
+        document.fingerprint = Some(Fingerprint::of(text.as_bytes()));
         Ok((document, warnings))
     }
 
@@ -96,18 +95,20 @@ impl Document {
     }
 
     fn shown(text: &str) -> Result<Self> {
-        let (path, info, comments) = vid::shown_from_toml(text)?;
-        let mut document = Self::from_parts(path, info)?;
-        if let Some(comments) = comments {
-            document.read_from(text, comments);
+        let (path, info, alone) = vid::shown_from_toml(text)?;
+        let document = Self::from_parts(path, info)?;
+        if alone {
+            document.read_from(text)
+        } else {
+            Ok(document)
         }
-        Ok(document)
     }
 
-    /// Keeps what else belongs to the text it was read from.
-    fn read_from(&mut self, text: &str, comments: Comments) {
+    /// With what else belongs to the text it was read from.
+    fn read_from(mut self, text: &str) -> Result<Self> {
         self.fingerprint = Some(Fingerprint::of(text.as_bytes()));
-        self.content.comments = Arc::new(comments);
+        self.content.comments = Arc::new(Comments::of(text, &[])?);
+        Ok(self)
     }
 
     /// As [`Document::load`], from `reader`, which messages call `name`.
@@ -123,10 +124,8 @@ impl Document {
     /// # Errors
     /// `ErrorKind::Format` with line and reason.
     pub fn from_toml(text: &str) -> Result<Self> {
-        let (path, info, comments) = vid::from_toml(text)?;
-        let mut document = Self::from_parts(path, info)?;
-        document.read_from(text, comments);
-        Ok(document)
+        let (path, info) = vid::from_toml(text)?;
+        Self::from_parts(path, info)?.read_from(text)
     }
 
     /// The text of a `.vid` file, with the comments of the text it was read from, except those of

@@ -103,10 +103,10 @@ impl SceneDocument {
     /// # Errors
     /// `ErrorKind::Format` with line and reason.
     pub fn from_toml(text: &str) -> Result<Self> {
-        let (scene, mut info, comments) = vid::scene_from_toml(text)?;
+        let (scene, mut info) = vid::scene_from_toml(text)?;
         info.check(scene.space())?;
         info.normalise();
-        let comments = comments.of_scene(&scene);
+        let comments = Comments::of_scene(text, &scene)?;
         Ok(Self {
             comments,
             ..Self::of(scene, info)

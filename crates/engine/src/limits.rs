@@ -70,8 +70,12 @@ pub const MAX_HOLD: u32 = 1_000_000;
 /// would only exhaust the memory of a small machine while it is parsed.
 pub const MAX_FILE_BYTES: u64 = 972 << 20;
 
-/// Bytes of memory that a piece of a file may take while it is read: the largest mesh with its
-/// colours. Nothing is saved that would take more.
+/// Bytes of memory that parsing a piece of a file may take by an estimate, for most far too high:
+/// the largest object, written as it is saved, and a little more.
+pub const MAX_PARSE_BYTES: usize = 2 << 30;
+
+/// Bytes of memory that a piece of a file may take that is written as VIDES writes it: the largest
+/// mesh with its colours. Nothing is saved that would take more.
 pub const MAX_TREE_BYTES: usize = 3 << 30;
 
 /// Frames of one section: the first pose of a path belongs to none.

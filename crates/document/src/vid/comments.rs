@@ -6,10 +6,10 @@
 //! A comment hangs on its node, whatever number that has, and follows its point.
 
 use std::collections::HashMap;
+use std::ops::Range;
 use std::sync::Arc;
 
-use super::parse::statements;
-use super::statements::{Place, Statement, Table};
+use super::statements::{Place, Table, statements};
 use crate::error::{Result, can_allocate};
 use vides_engine::limits::MAX_FILE_BYTES;
 use vides_engine::path::CameraPath;
@@ -43,16 +43,18 @@ pub(crate) struct Comments {
 }
 
 impl Comments {
-    /// The comments of these statements; `nodes`: those of their scene.
-    pub(super) fn of(statements: Vec<Statement<'_>>, nodes: &[NodeId]) -> Result<Self> {
+    /// The comments of a text that parses without an error; `nodes`: those of its scene.
+    pub(crate) fn of(text: &str, nodes: &[NodeId]) -> Result<Self> {
         let mut comments = Self::default();
-        let texts = statements
-            .iter()
-            .map(|of| of.before.len() + of.within.len() + of.behind.len());
-        can_allocate(
-            statements.len() * (2 * size_of::<Comment>() + 128) + 2 * texts.sum::<usize>(),
-        )?;
-        for statement in statements {
+        // If every `#` is in a comment of ours there is nothing to keep.
+        let marks = text.bytes().filter(|&byte| byte == b'#').count();
+        let ours = OURS.iter().filter(|line| text.contains(**line)).count();
+        if marks <= ours {
+            return Ok(comments);
+        }
+        // An upper bound: so many comments, together no longer than the text.
+        can_allocate(marks.saturating_mul(2 * size_of::<Comment>() + 128) + 2 * text.len())?;
+        statements(text, |statement| {
             let before = kept(statement.before) + &kept(&statement.within);
             let behind = statement.behind;
             if !before.is_empty() || !behind.is_empty() {
@@ -67,17 +69,18 @@ impl Comments {
                     behind: behind.into(),
                 });
             }
-        }
+        });
         Ok(comments)
     }
 
-    /// Those of a file in the scene that it holds.
-    pub(crate) fn of_scene(self, scene: &Scene) -> Self {
-        match scene.ids() {
+    /// The comments of a text that holds this scene.
+    pub(crate) fn of_scene(text: &str, scene: &Scene) -> Result<Self> {
+        let comments = Self::of(text, scene.ids())?;
+        Ok(match scene.ids() {
             // A path in its short form.
-            [NodeId::OF_PATH] => self.in_scene(),
-            _ => self,
-        }
+            [NodeId::OF_PATH] => comments.in_scene(),
+            _ => comments,
+        })
     }
 
     /// Those of a node's path, or of the path alone.
@@ -200,11 +203,16 @@ impl Comments {
         if there().next().is_none() || size as u64 > MAX_FILE_BYTES {
             return Ok(text);
         }
-        let statements = statements(&text)?;
-        let count = 2 * statements.len() + self.all.len();
-        can_allocate(count * 2 * size_of::<(Place<'_>, usize)>())?;
-        let places = statements.iter().enumerate();
-        let places: HashMap<_, _> = places.map(|(at, of)| (&of.place, at)).collect();
+        // A statement has at least ten bytes.
+        can_allocate(
+            (text.len() / 10 + self.all.len()) * 2 * size_of::<(Place<'_>, Range<usize>)>(),
+        )?;
+        let mut ranges = Vec::new();
+        let mut places = HashMap::new();
+        statements(&text, |statement| {
+            places.insert(statement.place, ranges.len());
+            ranges.push(statement.text);
+        });
         // If its key is not written a comment goes to its table's header, or its node's, else to the
         // end.
         let home = |comment: &Comment| {
@@ -216,24 +224,21 @@ impl Comments {
                 node: comment.node.and_then(number),
                 table: comment.table,
                 name: &comment.name,
-                item: (&*comment.item).into(),
+                item: &comment.item,
                 key: &comment.key,
             };
             let own = places.get(&place).map(|&at| (at, true));
-            let header = Place {
-                key,
-                ..place.clone()
-            };
+            let header = Place { key, ..place };
             let node = Place {
                 node: place.node,
                 table: Table::Named,
                 name: "node",
-                item: "".into(),
+                item: "",
                 key: "",
             };
             let of = |place| places.get(&place).map(|&at| (at, false));
             let home = own.or_else(|| of(header)).or_else(|| of(node));
-            home.unwrap_or((statements.len() - 1, false))
+            home.unwrap_or((ranges.len() - 1, false))
         };
         let mut homes: Vec<_> = there().map(|comment| (home(comment), comment)).collect();
         homes.sort_by_key(|((at, _), _)| *at);
@@ -241,10 +246,9 @@ impl Comments {
         out.try_reserve_exact(size)?;
         let mut copied = 0;
         for here in homes.chunk_by(|((a, _), _), ((b, _), _)| a == b) {
-            let Some(((at, _), _)) = here.first() else {
+            let Some(range) = here.first().and_then(|((at, _), _)| ranges.get(*at)) else {
                 continue;
             };
-            let range = &statements[*at].text;
             out.push_str(&text[copied..range.start]);
             for ((_, own), comment) in here {
                 out.push_str(&comment.before);

@@ -9,11 +9,13 @@ use vides_engine::path::camera_path::check_shape;
 use vides_engine::path::{Space, Tcb};
 use vides_engine::property::{self, Kind, Stored};
 
-/// A file, for line numbers.
+/// A piece of a file, with the whole text for line numbers.
 #[derive(Clone, Copy)]
 pub struct Source<'a> {
-    /// Its text.
+    /// The whole text.
     pub text: &'a str,
+    /// Where the piece begins.
+    pub start: usize,
 }
 
 impl Source<'_> {
@@ -23,14 +25,14 @@ impl Source<'_> {
         self.complain(offset, Malformed::Toml(error.message().into()))
     }
 
-    /// An error at a byte offset.
+    /// An error at a byte offset of the piece.
     pub fn complain(self, offset: usize, cause: impl Into<Malformed>) -> Error {
         at_line(self.line(offset), cause)
     }
 
-    /// The line of a byte offset.
+    /// The line of a byte offset of the piece.
     pub fn line(self, offset: usize) -> usize {
-        let end = offset.min(self.text.len());
+        let end = (self.start + offset).min(self.text.len());
         let before = &self.text.as_bytes()[..end];
         1 + before.iter().filter(|&&byte| byte == b'\n').count()
     }
@@ -79,7 +81,7 @@ impl<'a> Field<'a> {
 
     /// Its byte offset in the file.
     pub fn offset(&self) -> usize {
-        self.offset
+        self.source.start + self.offset
     }
 
     /// Whether it is an array.

@@ -5,7 +5,7 @@ use std::fmt::{self, Write};
 
 use super::bytes::too_large;
 use super::field::{Source, fields};
-use super::parse::Parser;
+use super::pieces;
 use super::scene_read;
 use super::scene_write;
 use super::text::{Quoted, Text};
@@ -39,10 +39,10 @@ pub(crate) fn keys_from_toml(text: &str) -> Result<Vec<TracksOfNode>> {
     if text.len() as u64 > MAX_FILE_BYTES {
         return Err(too_large(MAX_FILE_BYTES));
     }
-    let (source, mut parser) = (Source { text }, Parser::new(text));
+    let mut source = Source { text, start: 0 };
     let mut all = Vec::new();
-    while !parser.is_done() {
-        let root = parser.piece()?;
+    loop {
+        let (root, end) = pieces::parse(source)?;
         for field in fields(source, &root) {
             if field.key != "node" {
                 continue;
@@ -57,9 +57,12 @@ pub(crate) fn keys_from_toml(text: &str) -> Result<Vec<TracksOfNode>> {
                 all.push(of_node(node)?);
             }
         }
+        if end == text.len() {
+            all.retain(|(_, tracks)| !tracks.is_empty());
+            return Ok(all);
+        }
+        source.start = end;
     }
-    all.retain(|(_, tracks)| !tracks.is_empty());
-    Ok(all)
 }
 
 fn of_node(node: super::field::Field<'_>) -> Result<TracksOfNode> {

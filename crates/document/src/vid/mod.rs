@@ -36,17 +36,16 @@ mod keys_text;
 mod mesh;
 mod mesh_source;
 mod own;
-mod parse;
 mod path_read;
+mod pieces;
 mod read;
-mod scalar;
 mod scene_read;
 mod scene_write;
 mod shown;
 mod statements;
 mod text;
-mod tokens;
 pub mod tree;
+mod weight;
 mod write;
 
 pub(super) use alone::alone;
@@ -54,7 +53,6 @@ pub(super) use bytes::{load, load_from};
 pub use bytes::{read_bytes, read_text};
 pub(super) use comments::Comments;
 pub(super) use keys_text::{keys_from_toml, keys_to_toml};
-pub use parse::table;
 pub(super) use path_read::{point_keys, view_keys};
 pub(super) use read::{
     PATH_KEYS, from_toml, nodes_from_toml, scene_from_toml, shown_from_toml, value_of,

@@ -3,15 +3,13 @@
 use std::iter::once;
 
 use super::bytes::{OFF_NAME, VERSION};
-use super::comments::Comments;
 use super::field::{Field, Source, fields};
 use super::own::{self, ReadContext, read_setting};
-use super::parse::{Parser, table};
 use super::path_read::{points, space};
+use super::pieces;
 use super::scene_read::Drafts;
-use super::statements::Statement;
 use super::{mesh, mesh_source, tree};
-use crate::error::{Error, Invalid, Malformed, Refused, Result, TooMany, can_allocate};
+use crate::error::{Invalid, Malformed, Refused, Result, TooMany, can_allocate};
 use crate::info::{Info, Object, ObjectPoint};
 use crate::named::keys;
 use vides_engine::limits;
@@ -59,50 +57,45 @@ fn of_path() -> impl Iterator<Item = &'static str> {
     keys::<CameraPath>().chain(once("point"))
 }
 
-pub(crate) fn from_toml(text: &str) -> Result<(CameraPath, Info, Comments)> {
-    let (reader, comments) = Reader::of(text)?;
+pub(crate) fn from_toml(text: &str) -> Result<(CameraPath, Info)> {
+    let (reader, end) = Reader::of(text)?;
     if reader.is_scene() {
         let nodes = reader.scene.count();
         let reason = Malformed::Scene(if reader.has("node") { nodes } else { 1 });
-        return Err(reader.source.complain(text.len(), reason));
+        return Err(end.complain(text.len(), reason));
     }
-    let (path, info) = reader.path()?;
-    Ok((path, info, Comments::of(comments, &[])?))
+    reader.path(end)
 }
 
-/// The shown camera's path and the info; the comments if the file holds just a path.
-pub(crate) fn shown_from_toml(text: &str) -> Result<(CameraPath, Info, Option<Comments>)> {
-    let (reader, comments) = Reader::of(text)?;
+/// The shown camera's path, the info, and whether the file holds just a path.
+pub(crate) fn shown_from_toml(text: &str) -> Result<(CameraPath, Info, bool)> {
+    let (reader, end) = Reader::of(text)?;
     if !reader.is_scene() {
-        let (path, info) = reader.path()?;
-        return Ok((path, info, Some(Comments::of(comments, &[])?)));
+        let (path, info) = reader.path(end)?;
+        return Ok((path, info, true));
     }
-    let (scene, info) = reader.scene()?;
+    let (scene, info) = reader.scene(end)?;
     let shown = scene.shown_camera().and_then(|at| scene.nodes()[at].path());
     match shown {
-        Some(follow) => Ok((follow.path().clone(), info, None)),
+        Some(follow) => Ok((follow.path().clone(), info, false)),
         None => Err(Refused::NoCamera.into()),
     }
 }
 
-/// A scene, the info and the comments; those of a path in its short form are of no node.
-pub(crate) fn scene_from_toml(text: &str) -> Result<(Scene, Info, Comments)> {
-    let (reader, comments) = Reader::of(text)?;
-    let (scene, info) = reader.scene()?;
-    let comments = Comments::of(comments, scene.ids())?;
-    Ok((scene, info, comments))
+pub(crate) fn scene_from_toml(text: &str) -> Result<(Scene, Info)> {
+    let (reader, end) = Reader::of(text)?;
+    reader.scene(end)
 }
 
 /// The nodes of a text, and which of them aim at nodes that are not in it, by name; there they aim
 /// at none.
 pub(crate) fn nodes_from_toml(text: &str) -> Result<(Scene, Vec<(usize, String)>)> {
-    let (mut reader, _) = Reader::of(text)?;
+    let (mut reader, end) = Reader::of(text)?;
     let aims = reader.scene.take_aims_beyond()?;
-    Ok((reader.scene()?.0, aims))
+    Ok((reader.scene(end)?.0, aims))
 }
 
-struct Reader<'a> {
-    source: Source<'a>,
+struct Reader {
     path: CameraPath,
     info: Info,
     so_far: ReadContext,
@@ -111,13 +104,12 @@ struct Reader<'a> {
     scene: Drafts,
 }
 
-impl<'a> Reader<'a> {
-    /// Reads a text; returns its statements with comments as well.
-    fn of(text: &'a str) -> Result<(Self, Vec<Statement<'a>>)> {
+impl Reader {
+    /// Reads a text; returns the source of its last piece as well.
+    fn of(text: &str) -> Result<(Self, Source<'_>)> {
         // Points are shared, which std cannot refuse where memory has run out.
         can_allocate(ROOM_BESIDE + ROOM_OF_POINT * text.matches("[[point]]").count())?;
         let mut reader = Self {
-            source: Source { text },
             path: CameraPath {
                 points: SharedList::new(),
                 ..CameraPath::default()
@@ -127,11 +119,15 @@ impl<'a> Reader<'a> {
             seen: [false; KEYS.len()],
             scene: Drafts::default(),
         };
-        let mut parser = Parser::new(text);
-        while !parser.is_done() {
-            reader.read(&parser.piece()?)?;
+        let mut source = Source { text, start: 0 };
+        loop {
+            let (root, end) = pieces::parse(source)?;
+            reader.read(source, &root)?;
+            if end == text.len() {
+                return Ok((reader, source));
+            }
+            source.start = end;
         }
-        Ok((reader, parser.into_statements()))
     }
 
     fn has(&self, key: &str) -> bool {
@@ -146,38 +142,32 @@ impl<'a> Reader<'a> {
             .any(|key| self.has(key))
     }
 
-    fn scene(mut self) -> Result<(Scene, Info)> {
+    fn scene(mut self, end: Source<'_>) -> Result<(Scene, Info)> {
         if !self.has("node") {
-            let (drafts, text) = (std::mem::take(&mut self.scene), self.source.text);
-            let (path, info) = self.path()?;
-            return Ok((drafts.mark(Scene::of_path(path)?, text)?, info));
+            let drafts = std::mem::take(&mut self.scene);
+            let (path, info) = self.path(end)?;
+            return Ok((drafts.mark(Scene::of_path(path)?, end.text)?, info));
         }
         if let Some(key) = of_path().find(|key| self.has(key)) {
             let reason = Malformed::KeyOfPath(key);
-            return Err(self.complain_at_end(reason));
+            return Err(end.complain(end.text.trim_end().len(), reason));
         }
-        let mut scene = self.scene.finish(self.source.text)?;
+        let mut scene = self.scene.finish(end.text)?;
         scene.set_space(self.path.space)?;
         Ok((scene, self.info))
     }
 
-    fn path(self) -> Result<(CameraPath, Info)> {
+    fn path(self, end: Source<'_>) -> Result<(CameraPath, Info)> {
         let count = self.path.points.len();
         if count < limits::MIN_POINTS {
             let reason = Malformed::TooFewPoints(count);
-            return Err(self.complain_at_end(reason));
+            return Err(end.complain(end.text.trim_end().len(), reason));
         }
         Ok((self.path, self.info))
     }
 
-    fn complain_at_end(&self, reason: Malformed) -> Error {
-        let text = self.source.text.trim_end();
-        self.source.complain(text.len(), reason)
-    }
-
-    fn read(&mut self, root: &tree::Table<'_>) -> Result<()> {
-        let source = self.source;
-        if self.seen == [false; KEYS.len()] {
+    fn read(&mut self, source: Source<'_>, root: &tree::Table<'_>) -> Result<()> {
+        if source.start == 0 {
             check_version(source, root)?;
         }
         // The space first, since positions are checked against it.
@@ -287,8 +277,8 @@ fn object(table: Field<'_>, space: Space) -> Result<Object> {
 /// The value that `key = value`, as in a file, gives a property of `of`, except its
 /// check.
 pub(crate) fn value_of<T: Table>(text: &str, of: &T) -> Result<Value> {
-    let source = Source { text };
-    let root = table(text, limits::MAX_TREE_BYTES)?;
+    let source = Source { text, start: 0 };
+    let (root, _) = pieces::parse(source)?;
     let field = fields(source, &root).next();
     let found = field.and_then(|field| Some((field, find(T::PROPERTIES, field.key)?)));
     found.map_or(Ok(Value::Unset), |(field, row)| {

@@ -121,7 +121,7 @@ impl Drafts {
     }
 
     pub(super) fn finish(mut self, text: &str) -> Result<Scene> {
-        let source = Source { text };
+        let source = Source { text, start: 0 };
         let placed = |offset, error| placed(source.line(offset), error);
         let drafts = std::mem::take(&mut self.nodes);
         let mut numbers: Vec<usize> = vec_with_room(drafts.len())?;
@@ -187,7 +187,7 @@ impl Drafts {
     }
 
     pub(super) fn mark(self, mut scene: Scene, text: &str) -> Result<Scene> {
-        let source = Source { text };
+        let source = Source { text, start: 0 };
         for (offset, name, frame) in self.markers {
             if scene.markers().iter().any(|marker| marker.name == name) {
                 return Err(source.complain(offset, Malformed::MarkerTwice((&name).into())));

@@ -10,7 +10,7 @@ use super::comments::Comments;
 use super::own::UpPaths;
 use super::text::{Quoted, Text, plain, rows};
 use super::write::{base_speeds, head, place, point, shape_and_modes, space, to_toml};
-use super::{mesh, mesh_source, parse, shown};
+use super::{mesh, mesh_source, pieces, shown};
 use crate::error::{EngineError, Result};
 use crate::info::Info;
 use vides_engine::deform::{Bounds, Deformation};
@@ -39,7 +39,7 @@ pub(crate) fn scene_to_toml(
     document(&mut out, scene, info, folder).map_err(|_| EngineError::Memory)?;
     comments
         .put_into(out.0, scene.ids())
-        .and_then(parse::readable)
+        .and_then(pieces::readable)
 }
 
 /// The text of these nodes of a scene, without pins; in others they are no longer.
@@ -63,7 +63,7 @@ pub(crate) fn nodes_to_toml(scene: &Scene, which: &[bool], info: &Info) -> Resul
     };
     // Only running out of memory fails here.
     write().map_err(|_: fmt::Error| EngineError::Memory)?;
-    parse::readable(out.0)
+    pieces::readable(out.0)
 }
 
 fn document(out: &mut Text, scene: &Scene, info: &Info, folder: Option<&Path>) -> fmt::Result {

@@ -26,7 +26,7 @@ impl Shown {
     }
 
     pub(super) fn set(self, scene: &mut Scene, text: &str) -> Result<()> {
-        let source = Source { text };
+        let source = Source { text, start: 0 };
         if let Some((offset, name)) = self.camera {
             let camera = match scene.find(&name) {
                 Some(at) => scene.set_camera(Some(at)),

@@ -7,7 +7,7 @@ use super::bytes::{OFF_NAME, VERSION};
 use super::comments::{Comments, OURS};
 use super::own::UpPaths;
 use super::text::{Quoted, Text, plain};
-use super::{mesh, mesh_source, own, parse};
+use super::{mesh, mesh_source, own, pieces};
 use crate::error::{EngineError, Result};
 use crate::info::{Info, Object};
 use vides_engine::property::{Kind, Value};
@@ -26,7 +26,7 @@ pub(crate) fn to_toml(
     let mut out = Text(String::new());
     // Only running out of memory fails here.
     document(&mut out, path, info, folder).map_err(|_| EngineError::Memory)?;
-    comments.put_into(out.0, &[]).and_then(parse::readable)
+    comments.put_into(out.0, &[]).and_then(pieces::readable)
 }
 
 /// A view as in a file.

@@ -11,7 +11,7 @@ use toml::de::DeTable;
 use vides_document::error::{Error, Malformed, Result};
 use vides_document::save;
 use vides_document::vid::field::{Field, Source, fields};
-use vides_document::vid::{read_text, table};
+use vides_document::vid::read_text;
 
 use super::{Colours, Element, Fold, MAX_SENSOR, MIN_SENSOR, Setup, Shown, Theme, View};
 use crate::files::folders;
@@ -21,11 +21,8 @@ use crate::texts::{Language, fill};
 /// The version that is written, and the only one that is read.
 const VERSION: i64 = 1;
 
-/// Bytes of a setup file: forty times what is written.
+/// Bytes of a setup file: forty times what is written. Parsing takes some hundred times as much.
 const MAX_BYTES: u64 = 64 << 10;
-
-/// Bytes of memory that reading one may take, whatever is in it.
-const MAX_MEMORY: usize = 128 << 20;
 
 /// The key of the sensor's height.
 const SENSOR: &str = "sensor_height_mm";
@@ -125,7 +122,7 @@ fn folded_words(setup: &Setup) -> String {
 fn with_value(text: &str, key: &str, new: &str) -> Result<String> {
     // A file that is not understood is not touched.
     from_toml(text)?;
-    let source = Source { text };
+    let source = Source { text, start: 0 };
     let root = DeTable::parse(text).map_err(|error| source.not_toml(&error))?;
     let known = root
         .get_ref()
@@ -180,8 +177,9 @@ fn write_setup(out: &mut String, setup: &Setup) -> std::fmt::Result {
 }
 
 fn from_toml(text: &str) -> Result<Setup> {
-    let source = Source { text };
-    let root = &table(text, MAX_MEMORY)?;
+    let source = Source { text, start: 0 };
+    let root = DeTable::parse(text).map_err(|error| source.not_toml(&error))?;
+    let root = &root.into_inner().into();
     // First of all: what a newer version means by its keys is not known here.
     for field in fields(source, root).filter(|field| field.key == "version") {
         let version = field.integer()?;

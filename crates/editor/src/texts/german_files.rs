@@ -18,7 +18,7 @@ german! {
         Format { line, key, cause } => line, key, German(cause);
         Property { name, cause } => name, German(cause);
         FileTooLarge(most) => most;
-        PieceTooLarge(line) => line, limits::MAX_TREE_BYTES >> 20;
+        PieceTooLarge(line) => line, limits::MAX_PARSE_BYTES >> 20;
         Mesh(error) => German(error);
         At(place, cause) => German(place), German::<Error>(cause);
         In(file, cause) => file, German::<Error>(cause);
