@@ -36,7 +36,6 @@ use crate::error::{EngineError, Error, Invalid, OutOfRange, Result};
 use arguments::{ToolArguments, chosen};
 pub use moved::moved;
 use table::{ABOUT, AXIS, FIRST, LAST, OF_DEFORM, OF_FIT, OF_TOUR, PUT, SEEN, TOOLS};
-use vides_engine::path::change_up::change_up;
 use vides_engine::path::fit_frames::frames_of;
 use vides_engine::path::{CameraPath, Pose, Space, Target, Up};
 
@@ -505,12 +504,7 @@ impl Tool {
             }
             (Kind::Fit, ToolInput::Poses(poses, seconds, up)) => {
                 let recorded = (&poses[..], seconds.as_deref(), *up);
-                let (fitted, result) = given.fitted(recorded, progress)?;
-                // A part of a film has its up axis.
-                let path = match chosen(given.number("put")) {
-                    0 => fitted,
-                    _ => change_up(&fitted, document.path().space.up)?,
-                };
+                let (path, result) = given.fitted(recorded, progress)?;
                 return Ok(Made {
                     fit: Some(result),
                     ..Some(put(path)).into()

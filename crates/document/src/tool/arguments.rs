@@ -1,6 +1,7 @@
 //! What a tool makes of its numbers.
 
 use super::*;
+use vides_engine::path::change_up::change_up;
 
 /// A tool's numbers by parameter name.
 pub(super) struct ToolArguments<'a> {
@@ -146,6 +147,10 @@ impl<'a> ToolArguments<'a> {
             deviations,
         } = made;
         path.base_frames = base_frames;
+        // A part of a film has its up axis.
+        if chosen(self.number("put")) > 0 {
+            path = change_up(&path, space.up)?;
+        }
         let result = FitResult {
             tolerance,
             report,
