@@ -117,7 +117,7 @@ orientation = [{ target = [0, 0, 0] }]
     before = host.path()
     check(not workers(host), "a thread before there is work")
     for way in ("Escape", "close"):
-        server.press(window, "alt+w", *["Up"] * 3, "Return")
+        server.press(window, "alt+w", *["Up"] * 19, "Return")
         blocked = wait(lambda: workers(host), "a thread")
         # All but those that cannot be blocked and the C library's own two.
         for signal in (1, 2, 3, 10, 12, 13, 14, 15, 17, 20, 28):
